@@ -3,6 +3,7 @@
 
 #include "base/number_text.h"
 #include "base/user_error.h"
+#include "scene/part/parts.h"
 #include "scene/support_pair.h"
 
 #include <algorithm>
@@ -140,23 +141,18 @@ const FrictionSupport *VariedEntries::support_of(const std::string &heading) con
   return nullptr;
 }
 
-const FrictionSupport *VariedEntries::support_of_place(const std::string &heading,
-                                                       unsigned int &place) const {
-  const auto dot = heading.rfind('.');
-  double number = 0.;
-  if (dot == std::string::npos || support_of(heading) != nullptr ||
-      !to_number(heading.substr(dot + 1), number) || !(number >= 1.))
-    return nullptr;
-  place = static_cast<unsigned int>(number) - 1;
-  return support_of(heading.substr(0, dot));
+VariedEntries::Place VariedEntries::place_of(const std::string &heading) const {
+  if (const FrictionSupport *const support = support_of(heading))
+    return {support, 0};
+  const auto [whole, number] = parts::repeated_support(heading);
+  return {support_of(whole), number};
 }
 
 void VariedEntries::refuse_place_beyond(const Variation &variation, const std::string &heading,
                                         const std::string &path) const {
-  unsigned int place = 0;
-  const FrictionSupport *const support = support_of_place(heading, place);
-  const auto n = support == nullptr ? places.end() : places.find(part_name(*support));
-  if (n != places.end() && place >= n->second)
+  const Place place = place_of(heading);
+  const auto n = place.support == nullptr ? places.end() : places.find(part_name(*place.support));
+  if (n != places.end() && place.number > n->second)
     refuse_variation(variation, path,
                      "places 1 to " + std::to_string(n->second) + " of this support",
                      "a place that there is, or its section without a number for all of them");
@@ -188,14 +184,10 @@ double VariedEntries::value_in_file(const Variation &variation, const std::strin
   double value = 0.;
   if (given != nullptr && to_number(given->value, value))
     return value;
-  unsigned int place = 0;
-  const FrictionSupport *support = support_of(heading);
-  const bool is_whole = support != nullptr;
-  if (!is_whole)
-    support = support_of_place(heading, place);
+  const auto [support, number] = place_of(heading);
   if (given == nullptr && support != nullptr && has_parameter(*support, entry)) {
     const int i = parameter(*support, entry);
-    return (is_whole ? support->parameters : support->parameters_of(place))[i] /
+    return (number == 0 ? support->parameters : support->parameters_of(number - 1))[i] /
            scene.units.factor(laws.find(support->law).parameters[i].unit);
   }
   refuse_variation(variation,

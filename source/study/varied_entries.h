@@ -46,8 +46,12 @@ private:
   bool has_parameter(const FrictionSupport &support, const std::string &entry) const;
   int parameter(const FrictionSupport &support, const std::string &entry) const;
   const FrictionSupport *support_of(const std::string &heading) const;
-  /// One place of a support, as in "Support rests.3"; null: the heading is none.
-  const FrictionSupport *support_of_place(const std::string &heading, unsigned int &place) const;
+  /// A support, or one of its places, as in "Support rests.3".
+  struct Place {
+    const FrictionSupport *support; ///< null: the heading is of no such support
+    unsigned int number;            ///< from 1 on; 0: all of them
+  };
+  Place place_of(const std::string &heading) const;
   void refuse_place_beyond(const Variation &variation, const std::string &heading,
                            const std::string &path) const;
   bool varies_by_itself(const std::string &heading, const std::string &entry) const;

@@ -174,10 +174,20 @@ void check_formula() {
   CHECK(study(folder + "/formula.prm", {}, into.path / "results").exit_status == 0);
 }
 
-/// Killed and resumed, twice: the same numbers as from a study that was not.
+/// Killed and resumed, twice: the same numbers as from a study that was not. With another table its
+/// runs are refused.
 void check_resume() {
-  const std::string file = folder + "/rack.prm";
   const program::TemporaryFolder into;
+  const std::string file = into.path / "rack.prm";
+  std::ofstream(file) << "include " + folder +
+                             "/rack.prm\n"
+                             "subsection Load hot\n"
+                             "  set History = file heat.csv\n"
+                             "end\n";
+  const auto write_table = [&](const std::string &end) {
+    std::ofstream(into.path / "heat.csv") << "0, 1\n10, " + end + "\n";
+  };
+  write_table("1.1");
   const Options settings = {"Study/Runs = 300", "Study/Threads = 2"};
   const Study whole = study(file, settings, into.path / "whole");
   const fs::path cut = into.path / "cut";
@@ -202,6 +212,11 @@ void check_resume() {
     run.join();
     CHECK(first.exit_status != 0);
   }
+  write_table("1.2");
+  const Study refused = study(file, settings, cut, {}, {"--resume"});
+  CHECK(refused.exit_status == 1);
+  CHECK(refused.output.find("of tables or laws that have changed") != std::string::npos);
+  write_table("1.1");
   const Study resumed = study(file, settings, cut, {}, {"--resume"});
   check_same(whole, resumed);
   CHECK(resumed.json.at("cost").at("resumed") > 0);

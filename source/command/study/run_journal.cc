@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "command/study/run_journal.h"
 
+#include "base/file_bytes.h"
 #include "base/processes.h"
 #include "base/user_error.h"
 
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace frictionbeam::study {
 
@@ -26,10 +25,7 @@ std::string piece(const std::string &bytes) {
 
 /// The pieces of a file that are whole.
 std::vector<std::string> pieces_of(const std::string &file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  const std::string bytes = text.str();
+  const std::string bytes = file_bytes(file);
   std::vector<std::string> pieces;
   std::uint64_t size = 0;
   for (std::size_t at = 0; bytes.size() - at >= sizeof(size); at += sizeof(size) + size) {

@@ -5,6 +5,7 @@
 #include "command/size_hangers.h"
 #include "command/study/study_runs.h"
 
+#include "base/file_bytes.h"
 #include "base/interruption.h"
 #include "base/processes.h"
 #include "base/user_error.h"
@@ -145,11 +146,9 @@ std::string identity_of(const StudyCase &of, const std::vector<double> &nominal)
       std::filesystem::path(of.options.parameter_file).parent_path();
   for (const Variation &variation : of.scene.study.variations)
     for (const std::string &value : variation.values)
-      if (std::error_code no_file; std::filesystem::is_regular_file(folder / value, no_file)) {
-        std::ostringstream bytes;
-        bytes << std::ifstream(folder / value, std::ios::binary).rdbuf();
-        text += '\n' + bytes.str();
-      }
+      for (const std::string &word : split(value, ' ')) // 'file heat.csv'
+        if (std::error_code no_file; std::filesystem::is_regular_file(folder / word, no_file))
+          text += '\n' + file_bytes((folder / word).string());
   for (const ResultName &name : of.names)
     text += '\n' + column_name(name);
   return text;

@@ -3,6 +3,7 @@
 #include "results/page/html.h"
 #include "results/text.h"
 
+#include "base/file_bytes.h"
 #include "base/numbers.h"
 #include "base/process.h"
 #include "base/temporary_folder.h"
@@ -14,18 +15,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 namespace frictionbeam {
 
 namespace {
-
-std::string read_file(const std::string &path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// In gnuplot's single quotes, which know no escapes but the doubled quote.
 std::string quoted(const std::string &text) {
@@ -351,7 +344,8 @@ DrawnPlots draw_plots(const std::vector<Plot> &plots, const std::string &prefix)
   }
   drawn.problem = run_gnuplot(folder.path);
   for (std::size_t i = 0; drawn.problem.empty() && i < plots.size(); ++i)
-    drawn.svg[i] = as_element(read_file(file(i)), name(i), plots[i], read_file(file(i) + ".axes"));
+    drawn.svg[i] =
+        as_element(file_bytes(file(i)), name(i), plots[i], file_bytes(file(i) + ".axes"));
   return drawn;
 }
 

@@ -334,6 +334,12 @@ void ParameterReader::fail(const std::string &entry, const std::string &allowed,
                   "\n  try:     " + hint);
 }
 
+void ParameterReader::say_once(const std::string &entry, const std::string &detail,
+                               std::set<std::string> &said) const {
+  if (!said.insert(detail).second)
+    fail(entry, "each detail once", "one of them", "'" + detail + "' twice");
+}
+
 void ParameterReader::fail_section(const std::string &read, const std::string &allowed,
                                    const std::string &hint) const {
   throw UserError((section != nullptr ? section->origin : parameter_file.name()) +

@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <map>
+#include <set>
 
 namespace frictionbeam {
 
@@ -97,6 +98,10 @@ public:
   /// @throws UserError about the value of an entry of this section.
   [[noreturn]] void fail(const std::string &entry, const std::string &allowed,
                          const std::string &hint, const std::string &read = "") const;
+
+  /// @throws UserError if a detail of an entry is among those that it has said before
+  void say_once(const std::string &entry, const std::string &detail,
+                std::set<std::string> &said) const;
 
   /// @throws UserError about this section as a whole.
   [[noreturn]] void fail_section(const std::string &read, const std::string &allowed,

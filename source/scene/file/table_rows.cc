@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/file/table_rows.h"
 
+#include "base/file_bytes.h"
 #include "scene/file/parameter_file.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 namespace frictionbeam {
 
@@ -40,8 +39,7 @@ void visit_characters(const std::string &row, const IsSeparator &is_separator, c
 } // namespace
 
 std::vector<TableRow> read_table_rows(const std::string &path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::string text = file_bytes(path);
   if (text.rfind("\xef\xbb\xbf", 0) == 0)
     text.erase(0, 3);
   const auto separates = [](const char c) { return c == ',' || c == ';' || is_blank(c); };

@@ -197,10 +197,11 @@ void parse_subject(const ParameterReader &in, const std::string &text, const Con
 
 /// `reference R` or `source TEXT` @param counts whether the reference does
 void parse_attribute(const ParameterReader &in, const std::string &piece, const bool counts,
-                     ContinuumQuantity &quantity) {
+                     std::set<std::string> &keys, ContinuumQuantity &quantity) {
   const auto blank = piece.find(' ');
   const std::string key = piece.substr(0, blank),
                     value = blank == std::string::npos ? "" : piece.substr(blank + 1);
+  in.say_once(quantity.name, key, keys);
   double number;
   if (key == "reference" && to_number(value, number)) {
     if (counts)
@@ -240,8 +241,9 @@ void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
     else
       parse_subject(in, pieces[0], *scene.continuum, quantity);
     const bool counts = !in.scene_changed() || entry.is_override; // the reference
+    std::set<std::string> keys;
     for (std::size_t i = is_reference ? 0 : 1; i < pieces.size(); ++i)
-      parse_attribute(in, pieces[i], counts, quantity);
+      parse_attribute(in, pieces[i], counts, keys, quantity);
     if (quantity.reference && quantity.source.empty())
       quantity.source = in.text("Source");
     if (known != quantities.end())

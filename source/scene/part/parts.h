@@ -36,6 +36,8 @@ void declare_support(ParameterReader &in, const LawLibrary &laws);
 void print_laws(std::ostream &out, const LawLibrary &laws);
 void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
                    Scene &scene);
+/// 'Support rests' and 3 of 'Support rests.3'; no heading if it does not end in a number.
+std::pair<std::string, unsigned int> repeated_support(const std::string &heading);
 /// Whether a section 'Support rests.3' gives the third place of support 'rests' numbers of its own.
 bool is_support_place(const ParameterFile &file, const ParameterFile::Section &section);
 /// All such sections, after the supports.

@@ -60,9 +60,6 @@ Placement parse_placement(const ParameterReader &in, Scene &scene) {
   return placement;
 }
 
-namespace {
-
-/// 'Support rests' and 3 of 'Support rests.3'; no heading if it does not end in a number.
 std::pair<std::string, unsigned int> repeated_support(const std::string &heading) {
   const auto dot = heading.rfind('.');
   const std::string number = dot == std::string::npos ? "" : heading.substr(dot + 1);
@@ -73,6 +70,8 @@ std::pair<std::string, unsigned int> repeated_support(const std::string &heading
     return {};
   return {heading.substr(0, dot), std::stoul(number)};
 }
+
+namespace {
 
 std::vector<double> parse_place(const ParameterReader &in, const LawDescription &law) {
   std::vector<double> parameters;

@@ -167,8 +167,8 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
     const std::vector<std::string> words = split_names(piece);
     if (words.empty())
       fail_form(in, quantity.name, text);
-    if (!quantity.what.empty() && !details.insert(words[0]).second)
-      in.fail(quantity.name, "each detail once", "one of them", "'" + words[0] + "' twice");
+    if (!quantity.what.empty())
+      in.say_once(quantity.name, words[0], details);
     if (quantity.what.empty())
       parse_subject(in, words, piece, quantity);
     else if (words.size() == 2 && words[0] == "step") {
@@ -214,8 +214,7 @@ void parse_attributes(const ParameterReader &in, const std::vector<std::string> 
     const auto blank = pieces[i].find(' ');
     const std::string key = pieces[i].substr(0, blank),
                       value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
-    if (!keys.insert(key).second)
-      in.fail(quantity.name, "each detail once", "one of them", "'" + key + "' twice");
+    in.say_once(quantity.name, key, keys);
     if (key == "scale") {
       quantity.scale = number_of(in, quantity.name, value);
       if (quantity.scale == 0.)
