@@ -314,21 +314,21 @@ private:
 };
 
 /// A copy of the scenes, which may be written to, beside the files of the project that they name.
-class Copy {
+class ProjectCopy {
 public:
-  explicit Copy(const fs::path &project)
+  explicit ProjectCopy(const fs::path &project)
       : root(fs::temp_directory_path() / ("silent_entries_" + std::to_string(getpid()))) {
     fs::create_directories(root / "tests/entries");
     fs::copy(project / "tests/entries/scenes", scenes());
     fs::create_directory_symlink(project / "tests/cases", root / "tests/cases");
     fs::create_directory_symlink(project / "prm", root / "prm");
   }
-  ~Copy() {
+  ~ProjectCopy() {
     std::error_code ignored;
     fs::remove_all(root, ignored);
   }
-  Copy(const Copy &) = delete;
-  Copy &operator=(const Copy &) = delete;
+  ProjectCopy(const ProjectCopy &) = delete;
+  ProjectCopy &operator=(const ProjectCopy &) = delete;
 
   fs::path scenes() const { return root / "tests/entries/scenes"; }
 
@@ -343,7 +343,7 @@ int main(int argc, char **argv) {
     if (argc < 3)
       throw std::runtime_error("silent_entries FRICTIONBEAM PROJECT [SCENE]");
     const fs::path project = fs::absolute(argv[2]);
-    const Copy copy(project);
+    const ProjectCopy copy(project);
     Search search(argv[1], (project / "tests/entries/values.txt").string(),
                   (project / "tests/entries/exceptions.md").string());
     std::vector<fs::path> files;
