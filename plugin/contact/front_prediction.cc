@@ -2,7 +2,7 @@
 #include "front_prediction.h"
 #include <frictionbeam/disc_projection.h>
 
-#include <Eigen/QR>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -35,6 +35,14 @@ Directions directions_across() {
     directions[k] = {std::cos(angle), std::sin(angle)};
   }
   return directions;
+}
+
+/// Moore and Penrose's: K^-1, and K^T/|K|^2 of one direction alone.
+Eigen::Matrix2d pseudo_inverse(const Eigen::Matrix2d &K) {
+  const double size = K.squaredNorm();
+  if (std::abs(K.determinant()) > 4. * std::numeric_limits<double>::epsilon() * size)
+    return K.inverse();
+  return size > 0. ? Eigen::Matrix2d(K.transpose() / size) : Eigen::Matrix2d(K);
 }
 
 /// Least K_tt/|K_tn| of all directions t across the normal n.
@@ -81,7 +89,7 @@ FrontPrediction::FrontPrediction(const SparseMatrix &S, const SiteList &contacts
         neighbours[i].push_back(
             {j, (coupling.by_unknowns_in_common - coupling.by_others).bottomRightCorner<2, 2>()});
     const Eigen::Matrix3d K = couplings[i].by_unknowns_in_common + couplings[i].by_others;
-    flexibility[i] = K.bottomRightCorner<2, 2>().completeOrthogonalDecomposition().pseudoInverse();
+    flexibility[i] = pseudo_inverse(K.bottomRightCorner<2, 2>());
     limits[i] = unique_below(K, directions);
   }
 }

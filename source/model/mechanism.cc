@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/mechanism.h"
+#include "base/algebra/dense_algebra.h"
 
 #include "base/joined.h"
 #include "base/number_text.h"
@@ -8,7 +9,6 @@
 #include "base/user_error.h"
 #include "model/line_model.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -94,11 +94,10 @@ public:
     for (const auto &[r, part] : parts) {
       const int size = part.turns ? 6 : 3;
       const auto free_motion = [&](const Matrix6 &held) {
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held.topLeftCorner(size, size));
-        const bool is_free =
-            eigen.eigenvalues()[0] <= 1e-12 * std::max(eigen.eigenvalues()[size - 1], not_zero);
+        const SymmetricEigen eigen = symmetric_eigen(held.topLeftCorner(size, size));
+        const bool is_free = eigen.values[0] <= 1e-12 * std::max(eigen.values[size - 1], not_zero);
         Vector6 mode = Vector6::Zero();
-        mode.head(size) = eigen.eigenvectors().col(0);
+        mode.head(size) = eigen.vectors.col(0);
         return std::make_pair(is_free, mode);
       };
       const auto [is_free, mode] = free_motion(part.held + part.held_by_friction);
@@ -215,7 +214,7 @@ std::vector<std::string> held_by_loads_alone(const Model &model) {
         const Vector6 axis(unit_motion(at.axes, c).data());
         Vector6 rest = axis;
         if (held.cols() > 0)
-          rest -= held * held.completeOrthogonalDecomposition().solve(axis);
+          rest -= held * LeastSquares(held).solve(axis);
         if (at.given[c] && rest.norm() > no_direction)
           remarks.push_back("Load " + load.name + ": " + motion_names[c] + " of point " + at.point +
                             ", which no anchor or restraint holds, is held in the steps that do "

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/algebra/eigenpairs.h"
+#include "base/algebra/dense_algebra.h"
 
 #include "base/user_error.h"
 
 #include <deal.II/lac/arpack_solver.h>
 #include <deal.II/lac/vector.h>
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <random>
@@ -42,13 +42,12 @@ Vector scaled(const Vector &x) {
 
 /// M x = mu K x with mu = 1/w^2: K is regular, M need not be.
 std::vector<Eigenpair> solve_dense(const Matrix &K, const Matrix &M, const unsigned int n) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen{Eigen::MatrixXd(M),
-                                                                        Eigen::MatrixXd(K)};
-  const Vector &mu = eigen.eigenvalues(); // rising
+  const SymmetricEigen eigen = symmetric_eigen(Eigen::MatrixXd(M), Eigen::MatrixXd(K));
+  const Vector &mu = eigen.values;
   std::vector<Eigenpair> pairs;
   for (int i = mu.size() - 1; i >= 0 && pairs.size() < n; --i)
     if (mu[i] > no_mass * mu[mu.size() - 1])
-      pairs.push_back({1. / mu[i], scaled(eigen.eigenvectors().col(i))});
+      pairs.push_back({1. / mu[i], scaled(eigen.vectors.col(i))});
   return pairs;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/algebra/elastic_multigrid.h"
 #include "analysis/algebra/elastic_system.h"
+#include "base/algebra/dense_algebra.h"
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 
-#include <Eigen/Eigenvalues>
 
 namespace frictionbeam {
 
@@ -37,9 +37,9 @@ Eigen::Matrix<double, dim, dim> definite_part(const Eigen::Matrix<double, dim, d
   if (!symmetric)
     for (unsigned int a = 1; a < dim; ++a)
       local(0, a) = local(a, 0) = 0.;
-  const Eigen::SelfAdjointEigenSolver<Matrix> parts(0.5 * (local + local.transpose()));
-  const Matrix directions = axes.transpose() * parts.eigenvectors();
-  return directions * parts.eigenvalues().cwiseMax(0.).asDiagonal() * directions.transpose();
+  const SymmetricEigen parts = symmetric_eigen(0.5 * (local + local.transpose()));
+  const Matrix directions = axes.transpose() * parts.vectors;
+  return directions * parts.values.cwiseMax(0.).asDiagonal() * directions.transpose();
 }
 
 /// Krylov methods with a matrix-free stiffness and one V-cycle (ElasticMultigrid).

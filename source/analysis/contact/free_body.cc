@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/free_body.h"
 #include "analysis/contact/unresisted_motion.h"
+#include "base/algebra/dense_algebra.h"
 
 #include "model/body/rigid_motions.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -51,10 +51,10 @@ bool FreeBody<dim>::rises_freely(const std::vector<bool> &is_pressed) {
     for (double &entry : sum->reshaped())
       entry = Utilities::MPI::sum(entry, body.communicator);
   const double all = resisted.trace() + rising.trace();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pairs(resisted);
+  const SymmetricEigen pairs = symmetric_eigen(resisted);
   for (unsigned int m = 0; m < n; ++m) {
-    const Eigen::VectorXd motion = pairs.eigenvectors().col(m);
-    if (pairs.eigenvalues()[m] <= nothing * all && motion.dot(rising * motion) > nothing * all)
+    const Eigen::VectorXd motion = pairs.vectors.col(m);
+    if (pairs.values[m] <= nothing * all && motion.dot(rising * motion) > nothing * all)
       return true;
   }
   return false;

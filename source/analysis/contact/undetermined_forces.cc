@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/undetermined_forces.h"
+#include "base/algebra/dense_algebra.h"
 
 #include "base/joined.h"
 #include "base/numbers.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -185,10 +185,10 @@ std::set<unsigned int> dependent_contacts(const std::vector<FreeForce> &forces) 
     for (Eigen::Index a = 0; a < n; ++a)
       for (Eigen::Index b = 0; b < n; ++b)
         products(a, b) = product(forces[group[a]].on_unknowns, forces[group[b]].on_unknowns);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(products);
-    for (Eigen::Index k = 0; k < n && eigen.eigenvalues()[k] < dependent * n; ++k)
+    const SymmetricEigen eigen = symmetric_eigen(products);
+    for (Eigen::Index k = 0; k < n && eigen.values[k] < dependent * n; ++k)
       for (Eigen::Index a = 0; a < n; ++a)
-        if (std::abs(eigen.eigenvectors()(a, k)) > takes_part)
+        if (std::abs(eigen.vectors(a, k)) > takes_part)
           undetermined.insert(forces[group[a]].contact);
   }
   return undetermined;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/unresisted_motion.h"
+#include "base/algebra/dense_algebra.h"
 
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <limits>
@@ -71,7 +71,7 @@ void LeastLeft::add(const Eigen::VectorXd &ray) {
   sizes.conservativeResize(rays.cols());
   sizes[rays.cols() - 1] = 0.;
   while (rays.cols() > 0) {
-    const Eigen::VectorXd wanted = rays.colPivHouseholderQr().solve(-loads);
+    const Eigen::VectorXd wanted = LeastSquares(rays).solve(-loads);
     double part = 1.; // of the way there on which all stay positive
     for (Eigen::Index k = 0; k < wanted.size(); ++k)
       if (wanted[k] <= 0.)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/event/event_integrator.h"
+#include "base/algebra/dense_algebra.h"
 
 #include <frictionbeam/contact/local_solver.h>
 
@@ -379,7 +380,7 @@ void EventIntegrator::settle(const Vector &of_ground, EnergyAccount &energy, Lin
       W(a, b) = contact.displacement(columns.col(held[b]))[held[a] % 3];
     left[a] = -u[held[a]];
   }
-  const Vector some = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(W).solve(left);
+  const Vector some = LeastSquares(W).solve(left);
   Vector impulses = Vector::Zero(3 * contacts.size());
   for (std::size_t a = 0; a < held.size(); ++a)
     impulses[held[a]] = some[a];

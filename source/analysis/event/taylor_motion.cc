@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/event/taylor_motion.h"
+#include "base/algebra/dense_algebra.h"
 
 #include <Eigen/LU>
 
@@ -64,8 +65,7 @@ void TaylorMotion::make_delassus() {
   relief.resize(0, 0);
   if (rows.empty())
     return;
-  delassus.setThreshold(dependent);
-  delassus.compute(W);
+  delassus = LeastSquares(W, dependent);
   if (delassus.rank() < W.rows())
     make_relief(W);
 }
@@ -80,7 +80,7 @@ void TaylorMotion::make_relief(const Eigen::MatrixXd &W) {
     if (rows[k].component == 0)
       of_friction.row(k).setZero();
   relief = Eigen::MatrixXd::Identity(W.rows(), W.rows());
-  relief -= kernel * of_friction.completeOrthogonalDecomposition().pseudoInverse();
+  relief -= kernel * LeastSquares(of_friction).pseudo_inverse();
   for (unsigned int k = 0; k < rows.size(); ++k)
     if (rows[k].component == 0)
       relief.col(k) = Eigen::VectorXd::Unit(W.rows(), k);

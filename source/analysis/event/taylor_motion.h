@@ -3,8 +3,8 @@
 
 #include "analysis/event/curved_slip.h"
 #include "analysis/event/load_polynomials.h"
+#include "base/algebra/dense_algebra.h"
 
-#include <Eigen/QR>
 
 #include <algorithm>
 
@@ -129,7 +129,7 @@ private:
   double response_length = 0.;            ///< what x = 1 stands for in them [s]
   std::vector<Row> rows;                  ///< multipliers
   Eigen::MatrixXd columns, accelerations; ///< H^T and M^-1 H^T
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> delassus;
+  LeastSquares delassus;
   Eigen::MatrixXd relief; ///< of friction where constraints are dependent; empty if none is
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/increment/follow_resolution.h"
+#include "base/algebra/dense_algebra.h"
 
 #include "model/line_pose.h"
 
@@ -26,9 +27,8 @@ Eigen::Matrix2d compliance_of(const Contact &contact, const SparseMatrix &stiffn
     for (unsigned int j = 0; j < n; ++j)
       K(i, j) = stiffness.coeff(contact.unknowns[i], contact.unknowns[j]);
   // Nothing displaces the line in what it does not resist: the pseudo-inverse.
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> of_own(K);
   const Eigen::MatrixXd B = contact.length * contact.B.middleRows(1, 2);
-  return B * of_own.solve(B.transpose());
+  return B * LeastSquares(K).pseudo_inverse() * B.transpose();
 }
 
 /// What friction displaces the line by at most, per force [m/N]: a long line undercuts compliances
@@ -60,8 +60,7 @@ double sine_between(const Eigen::Vector2d &a, const Eigen::Vector2d &b) {
  */
 double turn_alone(const Eigen::Matrix2d &compliance, const Eigen::Vector2d &path,
                   const Eigen::Vector2d &before, const Eigen::Vector2d &after) {
-  const Eigen::Vector2d change =
-      after + compliance.completeOrthogonalDecomposition().solve(path) - before;
+  const Eigen::Vector2d change = after + LeastSquares(compliance).solve(path) - before;
   // |before + s change| = |after|
   const double a = change.squaredNorm(), b = before.dot(change),
                c = before.squaredNorm() - after.squaredNorm();

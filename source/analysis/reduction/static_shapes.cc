@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/reduction/static_shapes.h"
+#include "base/algebra/dense_algebra.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -63,7 +63,7 @@ Eigen::MatrixXd StaticShapes::orthogonal() const {
     X.col(j) = shapes[j];
   if (part.has_mass && !shapes.empty()) {
     const Eigen::MatrixXd mass = X.transpose() * (part.M * X);
-    X = X * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mass).eigenvectors();
+    X = X * symmetric_eigen(mass).vectors;
   }
   for (int j = 0; j < X.cols(); ++j)
     X.col(j) /= X.col(j).lpNorm<Eigen::Infinity>();

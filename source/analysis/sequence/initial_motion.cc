@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/sequence/load_sequence.h"
+#include "base/algebra/dense_algebra.h"
 
 #include "analysis/increment/contact_watch.h"
 #include "analysis/increment/time_step.h"
@@ -8,7 +9,6 @@
 #include "base/user_error.h"
 #include "scene/in_units.h"
 
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <map>
@@ -40,7 +40,7 @@ void set_motion(const Motion &motion, const unsigned int vertex, const VertexDof
   }
   if (columns.empty())
     return;
-  const Vector nearest = motions.leftCols(columns.size()).colPivHouseholderQr().solve(wanted);
+  const Vector nearest = LeastSquares(motions.leftCols(columns.size())).solve(wanted);
   for (unsigned int i = 0; i < columns.size(); ++i)
     unknowns[columns[i]] = nearest[i];
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/substructure/wall_fields.h"
+#include "base/algebra/dense_algebra.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <random>
@@ -119,15 +119,14 @@ void WallFields::reduce(const PressureStiffness &stiffness) {
   for (int k = 0; k < scale.size(); ++k)
     if (const int of = k < n_fields ? k % n_forces : k; K(of, of) > 0.)
       scale[k] = 1. / std::sqrt(K(of, of));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_K(scale.asDiagonal() * K *
-                                                            scale.asDiagonal());
-  const Eigen::VectorXd &sizes = of_K.eigenvalues(); // the largest one last
+  const SymmetricEigen of_K = symmetric_eigen(scale.asDiagonal() * K * scale.asDiagonal());
+  const Eigen::VectorXd &sizes = of_K.values; // the largest one last
   const int n_left = (sizes.array() > rounding * sizes[sizes.size() - 1]).count();
-  const Eigen::MatrixXd unit = scale.asDiagonal() * of_K.eigenvectors().rightCols(n_left) *
+  const Eigen::MatrixXd unit = scale.asDiagonal() * of_K.vectors.rightCols(n_left) *
                                sizes.tail(n_left).cwiseSqrt().cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_S(unit.transpose() * S * unit);
-  theta = of_S.eigenvalues();
-  phi = unit * of_S.eigenvectors();
+  const SymmetricEigen of_S = symmetric_eigen(unit.transpose() * S * unit);
+  theta = of_S.values;
+  phi = unit * of_S.vectors;
   on_phi = phi.transpose() * work;
 }
 

@@ -2,12 +2,12 @@
 #include "analysis/algebra/eigenpairs.h"
 #include "analysis/algebra/rigid_holds.h"
 #include "analysis/contact/opposed_contacts.h"
+#include "base/algebra/dense_algebra.h"
 
 #include "analysis/vibration/modal_analysis.h"
 #include "base/numbers.h"
 #include "base/user_error.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -123,21 +123,21 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
 void ModalAnalysis::solve_dense(const unsigned int n) {
   how = "dense eigenvalue solver of Eigen";
   const unsigned int size = M.rows();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> mass{Eigen::MatrixXd(M)};
-  const Vector roots = mass.eigenvalues().cwiseMax(0.).cwiseSqrt();
-  const Eigen::MatrixXd L = mass.eigenvectors() * roots.asDiagonal();
+  const SymmetricEigen mass = symmetric_eigen(Eigen::MatrixXd(M));
+  const Vector roots = mass.values.cwiseMax(0.).cwiseSqrt();
+  const Eigen::MatrixXd L = mass.vectors * roots.asDiagonal();
   Eigen::MatrixXd flexible(size, size); // (K + shift M)^-1 L
   for (unsigned int i = 0; i < size; ++i)
     flexible.col(i) = shifted.solve(L.col(i));
   const Eigen::MatrixXd G = L.transpose() * flexible;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((G + G.transpose()) / 2.);
-  const double largest = eigen.eigenvalues()[size - 1];
+  const SymmetricEigen eigen = symmetric_eigen((G + G.transpose()) / 2.);
+  const double largest = eigen.values[size - 1];
   for (unsigned int i = 0; i < n; ++i) {
-    const double value = eigen.eigenvalues()[size - 1 - i];
+    const double value = eigen.values[size - 1 - i];
     if (value <= 1e-14 * largest) // no mass left
       break;
-    found.push_back({frequency_of(1. / value - shift),
-                     flexible * eigen.eigenvectors().col(size - 1 - i) / value, 0.});
+    found.push_back(
+        {frequency_of(1. / value - shift), flexible * eigen.vectors.col(size - 1 - i) / value, 0.});
   }
 }
 

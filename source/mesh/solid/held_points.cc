@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/solid/held_points.h"
+#include "base/algebra/dense_algebra.h"
 
-#include <Eigen/QR>
 
 namespace frictionbeam {
 
@@ -22,9 +22,9 @@ PipeWall with_held_points(PipeWall wall) {
         motions(3 + k, 3 * i + d) = turn[k];
       }
     }
-  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, 12>> factors(motions);
+  const Eigen::VectorXi columns = most_independent_columns(motions);
   for (unsigned int i = 0; i < 6; ++i) {
-    const unsigned int column = factors.colsPermutation().indices()[i];
+    const unsigned int column = columns[i];
     wall.mesh
         .points["held " + std::to_string(column / 3) + " along " + std::to_string(column % 3)] =
         places[column / 3];

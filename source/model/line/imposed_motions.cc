@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/algebra/dense_algebra.h"
 #include "base/numbers.h"
 #include "base/user_error.h"
 #include "model/line/linear_part.h"
 
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +44,7 @@ Eigen::VectorXd smallest_motion(const Load::AtPoint &given, const std::string &l
   }
   Vector6 carried = Vector6::Zero(); // by what is held askew to the given motions
   for (std::size_t k = 0; k < axes.size() && others.cols() > 0; ++k)
-    if ((others * others.completeOrthogonalDecomposition().solve(axes[k]) - axes[k]).norm() <
-        no_direction)
+    if ((others * LeastSquares(others).solve(axes[k]) - axes[k]).norm() < no_direction)
       carried += values_given[k] * axes[k];
   Eigen::MatrixXd rows(rows_held.size(), 6);
   Eigen::VectorXd values(rows_held.size());
@@ -57,7 +56,7 @@ Eigen::VectorXd smallest_motion(const Load::AtPoint &given, const std::string &l
           std::abs(std::abs(part) - 1.) < no_component)
         values[n] = part * values_given[k];
   }
-  const Eigen::VectorXd motion = rows.completeOrthogonalDecomposition().solve(values);
+  const Eigen::VectorXd motion = LeastSquares(rows).solve(values);
   if ((rows * motion - values).norm() > 1e-9 * values.norm())
     throw UserError("Load " + load + ": the motion imposed at point '" + given.point +
                     "' contradicts a restraint there. Impose it only in directions "

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/line/modal_damping.h"
+#include "base/algebra/dense_algebra.h"
 
 #include "base/user_error.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -26,11 +26,10 @@ Modes modes_to_damp(const SparseMatrix &K, const SparseMatrix &M) {
           "mass a Mass, hold them, or use 'Mass damping' and 'Stiffness damping'.");
   if (K.rows() == 0) // all is held
     return {};
-  const Eigen::MatrixXd stiffness(K), mass(M);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass);
-  const Vector &squares = modes.eigenvalues();
+  const SymmetricEigen modes = symmetric_eigen(Eigen::MatrixXd(K), Eigen::MatrixXd(M));
+  const Vector &squares = modes.values;
   const double largest = squares.maxCoeff();
-  Modes result{modes.eigenvectors(), Vector::Zero(squares.size())};
+  Modes result{modes.vectors, Vector::Zero(squares.size())};
   for (int i = 0; i < squares.size(); ++i)
     if (squares[i] > rigid * largest)
       result.frequencies[i] = std::sqrt(squares[i]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/unknowns/restraint_forces.h"
+#include "base/algebra/dense_algebra.h"
 #include "model/unknowns/reduced_space.h"
 
-#include <Eigen/QR>
 
 #include <map>
 
@@ -39,10 +39,9 @@ std::vector<Motion> restraint_forces(const Scene &scene, const LineMesh &mesh,
     const Motion force = holding(vertex);
     const Eigen::Map<const Eigen::Matrix<double, 6, 1>> f(force.data());
     // One restraint's are orthonormal.
-    const Eigen::VectorXd shares =
-        all.front().restraint == all.back().restraint
-            ? Eigen::VectorXd(directions.transpose() * f)
-            : Eigen::VectorXd(directions.completeOrthogonalDecomposition().solve(f));
+    const Eigen::VectorXd shares = all.front().restraint == all.back().restraint
+                                       ? Eigen::VectorXd(directions.transpose() * f)
+                                       : Eigen::VectorXd(LeastSquares(directions).solve(f));
     for (std::size_t k = 0; k < all.size(); ++k)
       for (unsigned int c = 0; c < 6; ++c)
         result[all[k].restraint][c] += shares[k] * all[k].direction[c];

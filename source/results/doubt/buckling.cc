@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/doubt/buckling.h"
+#include "base/algebra/dense_algebra.h"
 
 #include "analysis/contact/opposed_contacts.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 
@@ -105,9 +105,7 @@ Softening softening_of(const PressedCell &cell, const double factor) {
     result.matrix << K.block<2, 2>(0, 0), K.block<2, 2>(0, n - 2), K.block<2, 2>(n - 2, 0),
         K.block<2, 2>(n - 2, n - 2);
     result.matrix -= K_ie.transpose() * K_ii.partialPivLu().solve(K_ie) + bending();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, inner, inner>> eigen(
-        K_ii, Eigen::EigenvaluesOnly);
-    result.n_negative = (eigen.eigenvalues().array() < 0.).count();
+    result.n_negative = (symmetric_eigen(K_ii).values.array() < 0.).count();
   }
   const Eigen::DiagonalMatrix<double, 4> lengths(1., cell.length, 1., cell.length);
   result.matrix = unit * (lengths * result.matrix * lengths).eval();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/algebra/dense_algebra.h"
 #include "base/user_error.h"
 #include "results/body_results.h"
 #include "results/file/output_file.h"
@@ -11,7 +12,6 @@
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/fe/mapping_q1.h>
 
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -242,7 +242,7 @@ double end_of_zone(const std::vector<ContactRow> &rows, const std::vector<double
     powers.row(i) << 1., x, x * x;
     values[i] = std::pow(std::abs(size(row)), 2. / 3.);
   }
-  const Eigen::Vector3d c = powers.colPivHouseholderQr().solve(values);
+  const Eigen::Vector3d c = LeastSquares(powers).solve(values);
   // Near the last node: 0 = c0 + c1 x + c2 x^2, with c1 < 0.
   const double discriminant = c[1] * c[1] - 4. * c[0] * c[2];
   const double root =

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/algebra/dense_algebra.h"
 #include "scene/catalogue/catalogue_entries.h"
 #include "scene/part/parts.h"
 
 #include <frictionbeam/generalized_strain.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -63,7 +63,7 @@ Matrix6 parse_matrix(const ParameterReader &in) {
       if (K(i, j) != 0.)
         scaled(i, j) = (K(i, j) + K(j, i)) / (2. * size[i] * size[j]);
     }
-  const double least = Eigen::SelfAdjointEigenSolver<Matrix6>(scaled).eigenvalues()[0];
+  const double least = symmetric_eigen(scaled).values[0];
   if (least < -rounding)
     in.fail("Matrix", "a matrix that gives back what it took: no eigenvalue below 0",
             "smaller numbers off the diagonal",
