@@ -55,6 +55,7 @@ public:
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-1., 1.);
     pressure = pressures[seed % 3];
+    check_elastic_tangent();
     Increment increment = from_rest();
     for (unsigned int draw = 0; draw < 20; ++draw) {
       for (int i = 0; i < law.n_strains; ++i)
@@ -161,6 +162,25 @@ private:
     if (!is_elastic)
       violated("its elastic bound is below 1 where it does not answer by its elastic tangent, or "
                "does not keep a state of zero");
+  }
+
+  /// Modes and spectra go by the elastic tangent; at rest there is no other.
+  void check_elastic_tangent() {
+    constexpr double same = 1e-6; // of what it is beside
+    const Increment increment = from_rest();
+    const Result elastic = evaluate(increment, LawTangent::elastic, 0.),
+                 consistent = evaluate(increment, LawTangent::consistent, 0.);
+    if (elastic.status != LawStatus::ok || consistent.status != LawStatus::ok ||
+        consistent.state != increment.old_state)
+      return;
+    const int n = law.n_strains;
+    const Vector &of_rest = consistent.tangent;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        if (!(std::abs(elastic.tangent[n * i + j] - of_rest[n * i + j]) <=
+              same * std::sqrt(std::abs(of_rest[(n + 1) * i] * of_rest[(n + 1) * j]))))
+          return violated("at rest its elastic tangent, by which modes and spectra go, is not its "
+                          "consistent one");
   }
 
   void check_all_at_once(const Increment &increment) {

@@ -59,7 +59,7 @@ bool has_mass(const Scene &scene) {
   });
 }
 
-/// Longest cell of a mesh file [m]: its cells are of any lengths, and short ones need no others.
+/// Longest cell of a mesh file [m], whose cells are of any lengths.
 double longest_cell(const Scene &scene) {
   double longest = 0.;
   for (const MeshedPipe &pipe : build_line_mesh(scene).pipes)
@@ -145,14 +145,14 @@ std::optional<Refinable> time_step_of(const Scene &scene) {
                                           : Convergence::Order::first_at_best};
 }
 
-/// Cells of straight runs, and of bends that are made of straight cells.
+/// Each cell is halved from level to level, be it of a long run or between two supports.
 Refinable cells_of(const double run, const bool bends) {
   return {"length of cells",
           [=](const unsigned int level) {
-            std::vector<std::string> settings = {"Mesh/Cell length = " +
-                                                 exact_number(run / (1u << level))};
+            std::vector<std::string> settings = {"Mesh/Cell length = " + exact_number(run),
+                                                 "Mesh/Refinements = " + whole(level)};
             if (bends)
-              settings.push_back("Mesh/Cells per bend = " + whole(2u << level));
+              settings.push_back("Mesh/Cells per bend = 2");
             return settings;
           },
           false,
@@ -186,8 +186,8 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
   const bool moves_cells = (has_transient || scene.modal.n_modes > 0) && has_mass(scene);
   if ((has_bed || moves_cells || is_large || scene.yields()) && !scene.pipes.empty())
     list.push_back(cells_of(shortest_run(scene), is_large && has_bend(scene)));
-  if (std::any_of(scene.pipes.begin(), scene.pipes.end(),
-                  [](const Pipe &pipe) { return pipe.end_section; }))
+  else if (std::any_of(scene.pipes.begin(), scene.pipes.end(),
+                       [](const Pipe &pipe) { return pipe.end_section; }))
     list.push_back(entry("cells of reducers", "Mesh/Cells per reducer", 10));
   if (kind.has_elements)
     list.push_back({"elements of the slab",

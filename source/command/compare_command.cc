@@ -11,10 +11,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace frictionbeam {
 
@@ -29,7 +32,8 @@ struct QuantityOfRun {
 struct Run {
   std::string folder, status;
   std::map<std::string, QuantityOfRun> quantities; ///< by name
-  std::map<std::string, double> units; ///< how many of SI one of the tables' is, by that of SI
+  std::map<std::string, double> units;  ///< how many of SI one of the tables' is, by that of SI
+  std::map<std::string, bool> verdicts; ///< of the report: whether it passes, by what is checked
 
   double in_si(const std::string &unit) const {
     const auto found = units.find(unit);
@@ -45,7 +49,7 @@ Run read_run(const std::string &folder) {
     throw UserError("There is no '" + path +
                     "' of this program. Name two folders with results of it: frictionbeam compare "
                     "output/a output/b");
-  Run run{folder, summary.value("status", "converged"), {}, {}};
+  Run run{folder, summary.value("status", "converged"), {}, {}, {}};
   for (const nlohmann::json &quantity : summary.at("quantities")) {
     if (!quantity.at("value").is_number())
       continue;
@@ -58,6 +62,12 @@ Run read_run(const std::string &folder) {
   if (const auto units = summary.find("units"); units != summary.end())
     for (const auto &[si, unit] : units->items())
       run.units[si] = unit.at("in_si").get<double>();
+  if (const auto verdicts = summary.find("verdicts"); verdicts != summary.end())
+    for (const nlohmann::json &one : *verdicts) {
+      const std::string step = one.at("step");
+      run.verdicts[one.at("check").get<std::string>() + " of " + one.at("of").get<std::string>() +
+                   (step.empty() ? "" : " in " + step)] = one.at("passes").get<bool>();
+    }
   return run;
 }
 
@@ -199,6 +209,54 @@ void compare(const Run &first, const Run &second, const Layout &layout) {
     std::cout << "  the same\n";
 }
 
+/// Checks that pass in one of the runs only, or stand in one only.
+void compare_verdicts(const Run &first, const Run &second) {
+  const auto say = [](const bool passes) { return passes ? "passes" : "fails"; };
+  std::string text;
+  for (const auto &[what, passes] : first.verdicts) {
+    const auto other = second.verdicts.find(what);
+    if (other == second.verdicts.end())
+      text += "  " + what + " is in the first run only, and " + say(passes) + "\n";
+    else if (other->second != passes)
+      text += "  " + what + ": " + say(passes) + " -> " + say(other->second) + "\n";
+  }
+  for (const auto &[what, passes] : second.verdicts)
+    if (first.verdicts.count(what) == 0)
+      text += "  " + what + " is in the second run only, and " + say(passes) + "\n";
+  if (!first.verdicts.empty() || !second.verdicts.empty())
+    std::cout << "Checks:\n" << (text.empty() ? "  the same\n" : text);
+}
+
+std::map<std::string, std::string> tables_in(const std::string &folder) {
+  std::map<std::string, std::string> texts;
+  for (const auto &entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".csv") {
+      std::ifstream in(entry.path());
+      texts[entry.path().filename().string()] = {std::istreambuf_iterator<char>(in), {}};
+    }
+  return texts;
+}
+
+/// Tables whose numbers are not compared: which are written otherwise.
+void compare_others(const Run &first, const Run &second, const std::vector<Layout> &compared) {
+  std::map<std::string, std::string> a = tables_in(first.folder), b = tables_in(second.folder);
+  for (const Layout &layout : compared) {
+    a.erase(layout.file);
+    b.erase(layout.file);
+  }
+  std::set<std::string> names;
+  std::vector<std::string> differ;
+  for (const auto *const tables : {&a, &b})
+    for (const auto &table : *tables)
+      names.insert(table.first);
+  for (const std::string &name : names)
+    if (a.count(name) == 0 || b.count(name) == 0 || a.at(name) != b.at(name))
+      differ.push_back(name);
+  if (!names.empty())
+    std::cout << "Other tables, as they are written:\n"
+              << (differ.empty() ? "  the same" : "  " + join(differ) + " differ") << '\n';
+}
+
 /// What to know of the numbers of a run that has not converged.
 void warn(const Run &run) {
   if (run.status != "converged")
@@ -251,51 +309,55 @@ int compare_runs(const std::string &first, const std::string &second) {
       std::cout << "  " << quantity.first << " is in the second run only\n";
   if (n_same > 0)
     std::cout << "  " << n_same << " are the same\n";
+  compare_verdicts(a, b);
   // Not by their increments, of which the runs may have different numbers.
-  for (const Layout &layout : std::vector<Layout>{
-           {"Supports",
-            "supports.csv",
-            {{"support", ""}, {"step", ""}, {"time", "s"}},
-            {{"fn", "N"},
-             {"ft1", "N"},
-             {"ft2", "N"},
-             {"gap", "m"},
-             {"slip1", "m"},
-             {"slip2", "m"},
-             {"mt", "N m"}}},
-           {"Reactions",
-            "reactions.csv",
-            {{"restraint", ""}, {"step", ""}, {"time", "s"}},
-            {{"fx", "N"}, {"fy", "N"}, {"fz", "N"}, {"mx", "N m"}, {"my", "N m"}, {"mz", "N m"}}},
-           {"Line",
-            "line.csv",
-            {{"step", ""}, {"pipe", ""}, {"s", "m"}},
-            {{"ux", "m"},
-             {"uy", "m"},
-             {"uz", "m"},
-             {"N", "N"},
-             {"Vy", "N"},
-             {"Vz", "N"},
-             {"Mx", "N m"},
-             {"My", "N m"},
-             {"Mz", "N m"}}},
-           {"Contact",
-            "contact.csv",
-            {{"surface", ""}, {"step", ""}, {"x", "m"}, {"y", "m"}, {"z", "m"}},
-            {{"pressure", "Pa"},
-             {"t1", "Pa"},
-             {"t2", "Pa"},
-             {"gap", "m"},
-             {"slip1", "m"},
-             {"slip2", "m"},
-             {"ux", "m"},
-             {"uy", "m"},
-             {"uz", "m"}}},
-           {"Stresses",
-            "stresses.csv",
-            {{"case", ""}, {"kind", ""}, {"pipe", ""}, {"s", "m"}},
-            {{"stress", "Pa"}, {"utilization", "-"}}}})
+  const std::vector<Layout> layouts = {
+      {"Supports",
+       "supports.csv",
+       {{"support", ""}, {"step", ""}, {"time", "s"}},
+       {{"fn", "N"},
+        {"ft1", "N"},
+        {"ft2", "N"},
+        {"gap", "m"},
+        {"slip1", "m"},
+        {"slip2", "m"},
+        {"mt", "N m"}}},
+      {"Reactions",
+       "reactions.csv",
+       {{"restraint", ""}, {"step", ""}, {"time", "s"}},
+       {{"fx", "N"}, {"fy", "N"}, {"fz", "N"}, {"mx", "N m"}, {"my", "N m"}, {"mz", "N m"}}},
+      {"Line",
+       "line.csv",
+       {{"step", ""}, {"pipe", ""}, {"s", "m"}},
+       {{"ux", "m"},
+        {"uy", "m"},
+        {"uz", "m"},
+        {"N", "N"},
+        {"Vy", "N"},
+        {"Vz", "N"},
+        {"Mx", "N m"},
+        {"My", "N m"},
+        {"Mz", "N m"}}},
+      {"Contact",
+       "contact.csv",
+       {{"surface", ""}, {"step", ""}, {"x", "m"}, {"y", "m"}, {"z", "m"}},
+       {{"pressure", "Pa"},
+        {"t1", "Pa"},
+        {"t2", "Pa"},
+        {"gap", "m"},
+        {"slip1", "m"},
+        {"slip2", "m"},
+        {"ux", "m"},
+        {"uy", "m"},
+        {"uz", "m"}}},
+      {"Stresses",
+       "stresses.csv",
+       {{"case", ""}, {"kind", ""}, {"pipe", ""}, {"s", "m"}},
+       {{"stress", "Pa"}, {"utilization", "-"}}},
+      {"Modes", "modes.csv", {{"mode", ""}}, {{"frequency", "Hz"}}}};
+  for (const Layout &layout : layouts)
     compare(a, b, layout);
+  compare_others(a, b, layouts);
   return 0;
 }
 

@@ -24,8 +24,8 @@ constexpr double same_on_line = 1e-7;
 /// The number of cells, from a quotient of lengths, which nodes of a file miss by some 1e-8.
 int whole(const double cells) {
   if (cells > most)
-    throw UserError("Mesh: 'Cell length' or 'Cells per bend' makes more than ten million cells of "
-                    "one straight run or bend. Give longer or fewer ones.");
+    throw UserError("Mesh: 'Cell length', 'Cells per bend' or 'Refinements' makes more than ten "
+                    "million cells of one straight run or bend. Give longer or fewer ones.");
   return std::max(1, static_cast<int>(std::ceil(cells - 1e-6)));
 }
 
@@ -215,22 +215,23 @@ public:
 private:
   /// @param cell_length of the longest one [m]; 0: no bound
   void divide(RoutePiece &piece, const bool is_reducer, const double cell_length) const {
-    piece.n_cells = straight_cells(scene.mesh, piece, cell_length);
-    if (is_reducer)
-      piece.n_cells = std::max<int>(piece.n_cells, scene.mesh.cells_of_reducer);
+    const int least = is_reducer ? scene.mesh.cells_of_reducer : 1;
+    piece.n_cells = halved(std::max(least, straight_cells(scene.mesh, piece, cell_length)));
     if (!scene.mesh.arcs || !piece.bends())
       return;
     const double radius = piece.segment->radius;
     double longest = cell_length > 0. ? cell_length : piece.length();
     if (windy)
       longest = std::min(longest, longest_arc_in_wind * radius);
-    const int n = std::max(whole(piece.length() / longest), mass_on_chords ? piece.n_cells : 1);
+    const int n =
+        std::max(halved(whole(piece.length() / longest)), mass_on_chords ? piece.n_cells : 1);
     if (piece.length() > n * smallest_arc * radius) {
       piece.n_cells = n;
       piece.is_arc = true;
     }
   }
 
+  int halved(const int n_cells) const { return whole(std::ldexp(n_cells, scene.mesh.refinements)); }
   bool is_solid(const unsigned int pipe, const double s) const {
     return std::any_of(solid.begin(), solid.end(), [&](const SolidStretch &stretch) {
       return stretch.pipe == pipe && stretch.from < s && s < stretch.to;

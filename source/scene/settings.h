@@ -25,6 +25,7 @@ struct MeshSettings {
   unsigned int section_points = 5;    ///< along a cell whose section yields or creeps
   unsigned int cells_per_bend = 8;    ///< in 90 degrees
   unsigned int cells_of_reducer = 10; ///< whose section changes from cell to cell
+  unsigned int refinements = 0;       ///< how often each cell of these is halved
   bool arcs = false;                  ///< a bend is one exact arc, not straight cells
   double most_cells = 200000.;        ///< more are refused
   Mesher mesher = Mesher::automatic;

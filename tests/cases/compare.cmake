@@ -97,3 +97,16 @@ execute_process(COMMAND ${PROGRAM} compare ${WORK}/a ${WORK}/stopped RESULT_VARI
 if(NOT status EQUAL 1 OR NOT text MATCHES "no number in column fx.*read: +'12x'")
   message(SEND_ERROR "a text is compared as a number (${status}):\n${text}")
 endif()
+# A check that fails, modes that are others, and tables whose numbers are not compared, are told.
+file(WRITE ${WORK}/modes.prm "${line}
+subsection Modes\n set Number = 2\nend
+subsection Nozzle n\n set Support = a\n set Allowed = 1e9 1e9 1e9 1e9 1e9 1e9\nend\n")
+run(${WORK}/modes.prm --output-directory ${WORK}/modes)
+run(${WORK}/modes.prm --output-directory ${WORK}/loaded --set "Material steel/Density = 2000"
+  --set "Nozzle n/Allowed = 1 1 1 1 1 1")
+run(compare ${WORK}/modes ${WORK}/loaded)
+foreach(part "allowable loads of n[^\n]*: passes -> fails" "Modes:\n  frequency: by " "nozzles.csv[^\n]* differ")
+  if(NOT text MATCHES "${part}")
+    message(SEND_ERROR "'${part}' is not in the comparison:\n${text}")
+  endif()
+endforeach()

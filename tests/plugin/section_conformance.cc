@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 using namespace frictionbeam;
 
@@ -17,6 +18,7 @@ namespace {
 enum class Fault {
   none,
   bound_too_low,
+  elastic_tangent_halved,
   state_not_kept,
   hardening_not_stored,
   dissipation_forgotten,
@@ -49,6 +51,8 @@ public:
       std::fill(out.tangent, out.tangent + 36, 0.);
       for (int i = 0; i < 6; ++i)
         out.tangent[7 * i] = rigidity[i];
+      if (fault == Fault::elastic_tangent_halved && in.tangent == LawTangent::elastic)
+        out.tangent[0] /= 2.;
       if (in.tangent == LawTangent::consistent && flow > 0.)
         out.tangent[0] = EA * H / (EA + H);
     }
@@ -67,6 +71,8 @@ public:
 
 template <Fault fault>
 double bound(const LawInput &in) {
+  if (fault == Fault::elastic_tangent_halved) // tells none
+    return std::numeric_limits<double>::infinity();
   return EA * std::abs(in.strain[0]) / in.parameters[0] *
          (fault == Fault::bound_too_low ? 0.5 : 1.);
 }
@@ -127,6 +133,7 @@ void faults() {
     }
   CHECK(check_law(description<Fault::not_told>(), {1e3}).empty());
   found<Fault::bound_too_low>("its elastic bound is below 1");
+  found<Fault::elastic_tangent_halved>("at rest its elastic tangent");
   found<Fault::state_not_kept>("its elastic bound is below 1");
   found<Fault::hardening_not_stored>("the work of the stress");
   found<Fault::dissipation_forgotten>("the work of the stress");

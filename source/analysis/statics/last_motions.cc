@@ -98,7 +98,7 @@ Vector LastMotions::softer_motion(const LineState &at, const Vector &motion, con
   LineCells::Balance balance;
   model.cells.evaluate({moved, moved, moved, moved.dofs, 0., {}, nullptr, &start}, factors,
                        balance);
-  return balance.failed ? Vector() : soft_motion(balance.stiffness, forces);
+  return balance.failure ? Vector() : soft_motion(balance.stiffness, forces);
 }
 
 Vector LastMotions::soft_motion(SparseMatrix tangent, const Vector &forces) const {

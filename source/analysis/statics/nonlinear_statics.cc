@@ -121,7 +121,7 @@ void NonlinearStatics::evaluate(Approach &at, const bool is_trial) const {
                        at.clock, nullptr, &at.start, is_trial};
   step.is_near_last = at.is_answered;
   model.cells.evaluate(step, at.factors, at.balance);
-  at.is_answered = !is_trial && !at.balance.failed;
+  at.is_answered = !is_trial && !at.balance.failure;
   at.forces = at.balance.forces + model.contacts.platen_forces();
   at.largest = std::max(at.largest_before, at.balance.largest);
 }
@@ -189,8 +189,8 @@ bool NonlinearStatics::search(const Pose &from, const Vector &moved, const Vecto
     at.moved = moved + length * change;
     at.pose = model.cells.moved(from, length * dofs);
     evaluate(at, false);
-    return at.balance.failed ? std::numeric_limits<double>::max()
-                             : -(at.forces - of_contacts).dot(change);
+    return at.balance.failure ? std::numeric_limits<double>::max()
+                              : -(at.forces - of_contacts).dot(change);
   };
   return search_slope(slope, slope_at) == 1.;
 }
@@ -226,9 +226,8 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     // Sections that yield begin with what they would do elastically, whatever they did before.
     if (!is_searched)
       evaluate(at, result.iterations == 0);
-    if (at.balance.failed || !at.forces.allFinite()) {
-      result.remark = at.balance.failed ? "a section that yields or creeps has no answer"
-                                        : "the iteration diverges";
+    if (at.balance.failure || !at.forces.allFinite()) {
+      result.remark = at.balance.failure ? at.balance.failure : "the iteration diverges";
       remember_failure(at, from, increment);
       return result;
     }

@@ -93,7 +93,7 @@ void AlphaScheme::evaluate(const LoadCourse &loads, const Vector &unknowns, cons
                            nullptr,        &step.start};
   of_cells.is_near_last = step.is_answered;
   model.cells.evaluate(of_cells, step.factors, step.balance);
-  step.is_answered = !step.balance.failed;
+  step.is_answered = !step.balance.failure;
   const Vector acceleration = ratio * step.moved + step.rest,
                velocity = step.velocity + p.gamma * h * step.moved;
   Vector inertia = -(M * acceleration);
@@ -187,9 +187,8 @@ EquilibriumResult AlphaScheme::solve_nonlinear(Step &step, const LineState &from
   bool judged = false; // whether the contacts' forces are those at the pose
   for (;;) {
     interruption::end_if_overdue();
-    if (step.balance.failed || !step.residual.allFinite()) {
-      result.remark = step.balance.failed ? "a section that yields or creeps has no answer"
-                                          : "the iteration diverges";
+    if (step.balance.failure || !step.residual.allFinite()) {
+      result.remark = step.balance.failure ? step.balance.failure : "the iteration diverges";
       return result;
     }
     if (judged && is_solved(step, loads.time_of_laws(time), response, result)) {
@@ -204,7 +203,7 @@ EquilibriumResult AlphaScheme::solve_nonlinear(Step &step, const LineState &from
       ++result.factorizations;
       add_change(change, step, to.unknowns);
       evaluate(loads, to.unknowns, time, step);
-      if (step.balance.failed || !step.residual.allFinite())
+      if (step.balance.failure || !step.residual.allFinite())
         continue;
     }
     const auto solve_here = [&]() {
@@ -222,8 +221,8 @@ EquilibriumResult AlphaScheme::solve_nonlinear(Step &step, const LineState &from
     const auto slope_at = [&](const double length) {
       to.unknowns = unknowns + length * change;
       evaluate(loads, to.unknowns, time, step);
-      return step.balance.failed ? std::numeric_limits<double>::max()
-                                 : -left_over(step, response).dot(change);
+      return step.balance.failure ? std::numeric_limits<double>::max()
+                                  : -left_over(step, response).dot(change);
     };
     if (result.iterations > 1)
       judged = search_slope(-left_over(step, response).dot(change), slope_at) == 1. ||

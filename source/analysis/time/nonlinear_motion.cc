@@ -45,7 +45,7 @@ void NonlinearMotion::evaluate(const LineState &state, const Matrix matrix, Step
   motion.without_stiffness = !wants_matrix;
   motion.is_near_last = step.is_answered;
   line.evaluate(motion, step.factors, step.balance);
-  step.is_answered = !step.balance.failed;
+  step.is_answered = !step.balance.failure;
 
   // The equation of motion divided by h/2.
   const double lost = model.scene.time.mass_damping * h / 2.; // part of the momentum
@@ -145,9 +145,8 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
     // same answer, at less cost.
     const bool looks_ahead = is_smooth && judged && result.iterations == factored_again;
     evaluate(state, !judged || looks_ahead ? Matrix::tangent : Matrix::none, step);
-    if (step.balance.failed || !step.residual.allFinite()) {
-      result.remark = step.balance.failed ? "a section that yields or creeps has no answer"
-                                          : "the iteration diverges";
+    if (step.balance.failure || !step.residual.allFinite()) {
+      result.remark = step.balance.failure ? step.balance.failure : "the iteration diverges";
       return result;
     }
     bool by_last_factors = false;
@@ -212,8 +211,8 @@ bool NonlinearMotion::search(const LineState &state, Step &step, const Vector &c
   const auto slope_at = [&](const double length) {
     step.moved = moved + length * change;
     evaluate(state, Matrix::tangent, step);
-    return step.balance.failed ? std::numeric_limits<double>::max()
-                               : -unbalanced(step, response).dot(change);
+    return step.balance.failure ? std::numeric_limits<double>::max()
+                                : -unbalanced(step, response).dot(change);
   };
   return search_slope(slope, slope_at) == 1.;
 }

@@ -57,6 +57,25 @@ Vector7 energy_correction(const CorotationalBeam &beam, const Vector7 &moved, co
   return direction * (missed.dot(s) * size / (size * size + smallest * smallest));
 }
 
+/**
+ * Whether an end that a joint or the pipe itself holds with some stiffness turns against its cell
+ * by nearly half a turn, or in one step by so much that it may have gone beyond: there its rotation
+ * vector is that of the way round the other side, and what holds it would push on.
+ */
+bool is_wound(const CorotationalBeam &beam, const Vector7 &at, const Vector7 &change,
+              const double bending) {
+  constexpr double nearly_half = 3., much = 1.5; // [rad]
+  constexpr double unfelt = 1e-5; // stiffness of a joint, of that of the pipe beside it
+  for (const int first : {1, 4}) {
+    const Vector3d turn = at.segment<3>(first), by = change.segment<3>(first),
+                   axis = turn.normalized();
+    if ((turn.norm() > nearly_half || by.norm() > much) &&
+        axis.dot(beam.stiffness().block<3, 3>(first, first) * axis) > unfelt * bending)
+      return true;
+  }
+  return false;
+}
+
 /// The rotation between two poses.
 Quaterniond between_turns(const Quaterniond &from, const Quaterniond &to) {
   Quaterniond result = to * from.conjugate();
@@ -112,6 +131,7 @@ CorotationalCells::CorotationalCells(const Scene &scene, const LineMesh &mesh,
       vertex_inertia[v] += length / 2. *
                            (profile.rotary_inertia * (Matrix3d::Identity() - about_axis) +
                             profile.twist_inertia * about_axis);
+    cell.bending = profile.EI / length;
     cell.mass = length * profile.mass;
     cells.push_back(std::move(cell));
   }
@@ -254,6 +274,9 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
     s += viscous * (beam.stiffness() * deformed);
   const double length = (length_before + after.length) / 2.;
   Vector12 change = Vector12::Zero();
+  if (is_wound(beam, after.d, deformed, cell.bending))
+    answer.failure = "a joint or the end of a cell turns by nearly half a turn, beyond which its "
+                     "moment is not known";
   if (is_step) {
     double angle = 0.;
     for (int end = 0; end < 2; ++end) {

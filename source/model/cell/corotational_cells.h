@@ -67,7 +67,8 @@ private:
     std::vector<dealii::types::global_dof_index> dofs;
     Eigen::Matrix<double, 12, 3> line_loads; ///< at rest
     std::vector<CellForces> loads;
-    double mass = 0.; ///< [kg]
+    double bending = 0.; ///< EI/length of its pipe, without joints [N m]
+    double mass = 0.;    ///< [kg]
   };
   /// By the forces halfway, corrected along the change of the deformations.
   void answer(const unsigned int cell, const Step &step, const std::vector<double> &factors,

@@ -75,7 +75,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
   }
   balance.largest = balance.free = balance.free_work = balance.damping = 0.;
   balance.section_error = 0.;
-  balance.failed = false;
+  balance.failure = nullptr;
   CellAnswer of_cell;
   if (sections.any()) {
     Assert(step.from.sections != nullptr, ExcMessage("A pose of such a line has states."));
@@ -89,6 +89,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
     balance.at_start.setConstant(8, n_cells, std::numeric_limits<double>::quiet_NaN());
   for (unsigned int i = 0; i < n_cells; ++i) {
     of_cell.at_start = keeps_start ? balance.at_start.col(i).data() : nullptr;
+    of_cell.failure = nullptr;
     answer(i, step, factors, of_cell);
     if (!step.without_stiffness)
       add_stiffness(i, of_cell, balance.stiffness);
@@ -101,7 +102,8 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
     balance.free = std::max(balance.free, of_cell.free.lpNorm<Eigen::Infinity>());
     balance.free_work += of_cell.free_work;
     balance.damping += of_cell.damping;
-    balance.failed = balance.failed || of_cell.failed;
+    if (of_cell.failure != nullptr)
+      balance.failure = of_cell.failure;
     balance.section_error = std::max(balance.section_error, of_cell.section_error);
   }
   add_springs(step, balance);
@@ -260,7 +262,7 @@ void LineCells::integrate_sections(const unsigned int cell, const Vector12 &befo
       sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic,
                          step.is_near_last);
   }
-  answer.failed = inelastic.failed;
+  answer.failure = inelastic.failed ? "a section that yields or creeps has no answer" : nullptr;
   answer.section_error = inelastic.error;
   answer.free_work = inelastic.free_work;
 }

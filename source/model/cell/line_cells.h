@@ -70,7 +70,7 @@ public:
     double free_work = 0.;  ///< of free strains from the first to the last pose [J]
     double damping = 0.;    ///< lost to viscous forces, which are internal ones [J]
     Vector sections;        ///< states of sections with a law, at the end of what is integrated
-    bool failed = false;    ///< whether a section has no answer
+    const char *failure = nullptr; ///< why a cell has no answer; null: each has
     double section_error =
         0.; ///< what the increment's length leaves in a section's stress, a share
     /// Of cells that turn, a column each, where a time step begins: what they need of it.
@@ -201,7 +201,7 @@ protected:
     Vector12 internal, loads, free; ///< the last: forces that free strains would need, held
     Matrix12 stiffness;
     double free_work = 0., damping = 0., section_error = 0.;
-    bool failed = false;
+    const char *failure = nullptr;
     Vector *sections = nullptr; ///< states at the end, where there are any
     double *at_start = nullptr; ///< of Balance, in a time step
   };

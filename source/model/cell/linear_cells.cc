@@ -72,7 +72,7 @@ void LinearCells::answer(const unsigned int index, const Step &step,
   answer.internal = stiffness * ((before + after) / 2. + viscous * change) - answer.free;
   answer.free_work = answer.free.dot(change);
   answer.section_error = 0.;
-  answer.failed = false;
+  answer.failure = nullptr;
 }
 
 double LinearCells::stored_in(const unsigned int cell, const Pose &pose) const {

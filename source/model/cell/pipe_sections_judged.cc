@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace frictionbeam {
 
@@ -31,6 +32,25 @@ double force_of(const PipeSections::Vector6 &stress, const double radius) {
   return std::hypot(along, std::sqrt(3.) * stress[3] / radius);
 }
 
+/// Of a section that has never flowed: the bound its law tells, else 0 where it answers without any
+/// internal variable, and infinity where it does not.
+double bound_of_untouched(const BoundLaw &law, const Vector6 &strains,
+                          const LawIncrement &increment) {
+  const double told = law.elastic_bound(strains.data(), 1., increment);
+  if (std::isfinite(told))
+    return told;
+  const Vector6 no_rate = Vector6::Zero();
+  const std::vector<double> before(law.n_internal_variables(), 0.);
+  std::vector<double> after = before;
+  Vector6 stress;
+  std::array<double, 36> unused;
+  LawOutput output{stress.data(), unused.data(), after.data(), 0., ContactStatus::none};
+  const bool is_elastic = law.integrate(strains.data(), no_rate.data(), 1., increment,
+                                        before.data(), LawTangent::none, output) == LawStatus::ok &&
+                          after == before;
+  return is_elastic ? 0. : told;
+}
+
 } // namespace
 
 void PipeSections::Check::include(const Check &other) {
@@ -52,7 +72,7 @@ double PipeSections::bound_between(const Cell &cell, const LawIncrement &increme
     Vector6 strains = Vector6::Zero();
     for (unsigned int k = 0; k < points.size(); ++k)
       strains += weights[k] * Values(states.data() + place_of(cell, points[k]) + strain);
-    largest = std::max(largest, cell.law(middle).elastic_bound(strains.data(), 1., increment));
+    largest = std::max(largest, bound_of_untouched(cell.law(middle), strains, increment));
   }
   return largest;
 }

@@ -4,7 +4,6 @@
 
 #include "base/user_error.h"
 
-
 #include <cmath>
 
 namespace frictionbeam {
@@ -43,7 +42,8 @@ SparseMatrix modal_damping(const SparseMatrix &K, const SparseMatrix &M, const d
   const Eigen::MatrixXd shapes = Eigen::MatrixXd(M) * modes.shapes;
   const Eigen::MatrixXd damping =
       shapes * (2. * ratio * modes.frequencies).asDiagonal() * shapes.transpose();
-  return damping.sparseView();
+  // Exactly symmetric, as what reads one half of it expects.
+  return Eigen::MatrixXd((damping + damping.transpose()) / 2.).sparseView();
 }
 
 } // namespace frictionbeam

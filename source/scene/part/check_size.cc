@@ -63,6 +63,7 @@ void check_size(ParameterReader &in, const Scene &scene) {
   double n_cells = 0., n_supports = 0.;
   for (const Pipe &pipe : scene.pipes)
     n_cells += cells_of(pipe, scene.mesh) + cells_of_bed(pipe, scene);
+  n_cells = std::ldexp(n_cells, scene.mesh.refinements);
   for (const FrictionSupport &support : scene.supports)
     n_supports += number_at(support.placement, scene);
   for (const Restraint &restraint : scene.restraints)
@@ -81,7 +82,7 @@ void check_size(ParameterReader &in, const Scene &scene) {
   const double n = n_cells + n_supports;
   check("Mesh", "Most cells", "cells and supports", n,
         "a scene of some " + to_text(std::ceil(n)) + " cells and supports",
-        "a longer Cell length, fewer Cells per bend or supports less often");
+        "a longer Cell length, fewer Cells per bend or Refinements, or supports less often");
   if (scene.continuum && scene.continuum->box) {
     const double n_of_box = cells_of(*scene.continuum->box, scene.continuum->dimension);
     check("Mesh", "Most cells", "cells", n_of_box,

@@ -38,6 +38,10 @@ void declare_mesh(ParameterReader &in) {
   in.declare_count("Cells per reducer", 10, 1,
                    "At least so many between two points, each with the section in its middle: 10 "
                    "leave some 0.5 % of a flexibility, a limit load in the small end 5 %.");
+  in.declare_count("Refinements", 0, 0,
+                   "How often each cell that the entries above make is halved. Accuracy chooses "
+                   "it: with a shorter Cell length, short cells would stay as they are.",
+                   20);
   in.declare_count("Section points", 5, 3,
                    "Along a cell whose section yields or creeps, those of Gauss and Lobatto: at "
                    "both ends, where hinges are, and between.",
@@ -68,6 +72,7 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
   scene.mesh.arcs = in.choice("Bends", bends);
   scene.mesh.cells_per_bend = in.count("Cells per bend");
   scene.mesh.cells_of_reducer = in.count("Cells per reducer");
+  scene.mesh.refinements = in.count("Refinements");
   scene.mesh.section_points = in.count("Section points");
   scene.mesh.refine_hinges = in.flag("Refine hinges");
   if (scene.mesh.refine_hinges && !scene.mesh.file.empty())
