@@ -7,9 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <map>
 #include <optional>
@@ -105,19 +107,38 @@ inline void read_summary(const std::filesystem::path &folder, Run &run) {
          number(entry, "reference"), number(entry, "error")});
 }
 
-/// Run a command, its output into the run.
-inline Run execute(std::vector<std::string> words) {
-  const TemporaryFolder log;
+/// The program's main() where it is linked into the test; a command of this name is run by it.
+inline int (*linked)(int, char **) = nullptr;
+constexpr char linked_name[] = "frictionbeam";
+inline std::streambuf *const standard_output = std::cout.rdbuf(); ///< whatever a test does with it
+
+/// Become a command.
+[[noreturn]] inline void become(std::vector<std::string> &words) {
   std::vector<char *> arguments;
   for (std::string &word : words)
     arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  const std::string log_file = (log.path / "log").string();
+  if (linked != nullptr && words[0] == linked_name) { // as it finds its streams at its beginning
+    std::cout.rdbuf(standard_output);
+    std::cout.copyfmt(std::ios(nullptr));
+    std::cerr.copyfmt(std::ios(nullptr));
+    std::cerr << std::unitbuf;
+    std::exit(linked(words.size(), arguments.data()));
+  }
+  execv(arguments[0], arguments.data());
+  _exit(127);
+}
 
+/// Run a command, its output into the run.
+inline Run execute(std::vector<std::string> words) {
+  const TemporaryFolder log;
+  const std::string log_file = (log.path / "log").string();
+  std::cout.flush(); // not once more by the child
+  std::fflush(nullptr);
   const pid_t child = fork();
   if (child == 0) {
     if (freopen(log_file.c_str(), "w", stdout) != nullptr && dup2(fileno(stdout), 2) == 2)
-      execv(arguments[0], arguments.data());
+      become(words);
     _exit(127);
   }
   int status = 0;

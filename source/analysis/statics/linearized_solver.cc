@@ -40,6 +40,14 @@ bool are_equal(const SparseMatrix &one, const SparseMatrix &other) {
   return one.nonZeros() == other.nonZeros() &&
          std::equal(one.valuePtr(), one.valuePtr() + one.nonZeros(), other.valuePtr());
 }
+
+bool touches(const ContactResponse &response) {
+  return std::any_of(response.stress.begin(), response.stress.end(),
+                     [](const Contact::Strains &stress) {
+                       return std::any_of(stress.begin(), stress.end(),
+                                          [](const double value) { return value != 0.; });
+                     });
+}
 } // namespace
 
 void LinearizedSolver::keep(const SparseMatrix &matrix) {
@@ -101,7 +109,29 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
                    : solve(*make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
                                                     symmetric, parts.get()));
   result.no_equilibrium = false; // of this pose it is no proof
+  if (result.converged && !touches(response) &&
+      correct_freely(problem, committed, change, response))
+    ++result.factorizations;
   return result;
+}
+
+bool LinearizedSolver::correct_freely(const EquilibriumProblem &problem,
+                                      const ContactState &committed, Vector &change,
+                                      ContactResponse &response) {
+  Vector freely;
+  if (!solve_without_contacts(problem.matrix, problem.right_hand_side, freely))
+    return false;
+  ContactResponse there;
+  Residual residual(problem, model.contacts, model.space,
+                    [&](const Vector &dofs, const LawTangent wanted, ContactResponse &r) {
+                      model.contacts.evaluate(dofs, committed, problem.increment, wanted, r);
+                    });
+  residual(freely, LawTangent::none, there);
+  if (there.failed || touches(there))
+    return false;
+  change = freely;
+  response = there;
+  return true;
 }
 
 EquilibriumResult LinearizedSolver::solve_led_freely(const SparseMatrix &matrix,

@@ -19,8 +19,8 @@ SparseMatrix symmetric_part(const SparseMatrix &matrix);
 /**
  * Solves for the change x of a line whose stiffness is linearized at a pose: matrix x + forces of
  * the contacts at the pose's displacements plus x = right hand side. Contacts by the method of
- * Solver/Method, which then takes the symmetric part of the matrix; without contacts by the matrix
- * itself.
+ * Solver/Method, which then takes the symmetric part of the matrix; without contacts, and where all
+ * are open, by the matrix itself.
  */
 class LinearizedSolver {
 public:
@@ -78,6 +78,11 @@ private:
   bool solve_by_work(Lead &lead, const Vector &of_loads, Vector &change) const;
   EquilibriumResult solve_led_freely(const SparseMatrix &matrix, const Vector &right_hand_side,
                                      Lead &lead, Vector &change);
+
+  /// Where no contact carries anything, by the matrix itself. @return false, and nothing is
+  /// changed, where one then would, or it is singular
+  bool correct_freely(const EquilibriumProblem &problem, const ContactState &committed,
+                      Vector &change, ContactResponse &response);
 
   /// For a matrix, with all that it has factored and remembers.
   struct Method {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "command/command_line.h"
+#include "command/program/command_line.h"
 
 #include "base/number_text.h"
 #include "base/user_error.h"
