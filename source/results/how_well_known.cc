@@ -264,11 +264,14 @@ void add_remarks(const HowWellKnown &known, const bool chooses_increments, Resul
   if (results.accuracy && !std::isnan(results.accuracy->estimate))
     return; // has its own
   const std::string of_cells = results.modes.empty() ? "Displacements" : "Frequencies";
+  constexpr double large =
+      0.1; // the first term of what cells leave of a frequency says little then
   const auto add = [&](const KnownError &one, const std::string &what, const std::string &hint,
                        const std::string &numbers = "Displacements") {
     if (one.error && *one.error > worth_a_remark)
-      results.remarks.push_back(numbers + " are known to about " + in_words(one) + " for " + what +
-                                " (" + one.reason + "). " + hint);
+      results.remarks.push_back(numbers + " are known to about " + in_words(one) +
+                                (numbers == "Frequencies" && *one.error > large ? " at best" : "") +
+                                " for " + what + " (" + one.reason + "). " + hint);
   };
   add(known.increments, "the size of the load increments",
       "Take more Increments in the steps" + ask);

@@ -63,6 +63,7 @@ void make(const Test &test) {
 
 int main(int argc, char **argv) {
   program::linked = &frictionbeam::run_program;
+  program::standard_output = std::cout.rdbuf();
   try {
     for (const Test &test : read_tests({argv + 1, argv + argc}))
       make(test);

@@ -110,7 +110,8 @@ inline void read_summary(const std::filesystem::path &folder, Run &run) {
 /// The program's main() where it is linked into the test; a command of this name is run by it.
 inline int (*linked)(int, char **) = nullptr;
 constexpr char linked_name[] = "frictionbeam";
-inline std::streambuf *const standard_output = std::cout.rdbuf(); ///< whatever a test does with it
+inline std::streambuf *standard_output =
+    nullptr; ///< of std::cout then, whatever a test does with it
 
 /// Become a command.
 [[noreturn]] inline void become(std::vector<std::string> &words) {

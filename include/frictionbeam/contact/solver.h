@@ -75,7 +75,9 @@ struct ContactState {
 };
 
 /// Of an increment [J]. `left_over` is what increments miss: friction that turned within one, a gap
-/// that closed within one.
+/// that closed within one. Of the unknowns: where constraints give degrees of freedom values,
+/// `external` and `stored` both lack the same, what the stiffness between these and the others does
+/// (u^T K u/2 of the whole matrix has it).
 struct EnergyAccount {
   double external = 0.;    ///< work of the loads
   double stored = 0.;      ///< in the body

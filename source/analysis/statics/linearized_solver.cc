@@ -41,12 +41,9 @@ bool are_equal(const SparseMatrix &one, const SparseMatrix &other) {
          std::equal(one.valuePtr(), one.valuePtr() + one.nonZeros(), other.valuePtr());
 }
 
-bool touches(const ContactResponse &response) {
-  return std::any_of(response.stress.begin(), response.stress.end(),
-                     [](const Contact::Strains &stress) {
-                       return std::any_of(stress.begin(), stress.end(),
-                                          [](const double value) { return value != 0.; });
-                     });
+bool all_are_open(const ContactResponse &response) {
+  return std::all_of(response.status.begin(), response.status.end(),
+                     [](const ContactStatus one) { return one == ContactStatus::open; });
 }
 } // namespace
 
@@ -109,7 +106,7 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
                    : solve(*make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
                                                     symmetric, parts.get()));
   result.no_equilibrium = false; // of this pose it is no proof
-  if (result.converged && !touches(response) &&
+  if (result.converged && all_are_open(response) && !are_equal(symmetric, problem.matrix) &&
       correct_freely(problem, committed, change, response))
     ++result.factorizations;
   return result;
@@ -126,8 +123,8 @@ bool LinearizedSolver::correct_freely(const EquilibriumProblem &problem,
                     [&](const Vector &dofs, const LawTangent wanted, ContactResponse &r) {
                       model.contacts.evaluate(dofs, committed, problem.increment, wanted, r);
                     });
-  residual(freely, LawTangent::none, there);
-  if (there.failed || touches(there))
+  residual(freely, LawTangent::consistent, there);
+  if (there.failed || !all_are_open(there))
     return false;
   change = freely;
   response = there;

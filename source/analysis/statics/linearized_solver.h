@@ -79,8 +79,8 @@ private:
   EquilibriumResult solve_led_freely(const SparseMatrix &matrix, const Vector &right_hand_side,
                                      Lead &lead, Vector &change);
 
-  /// Where no contact carries anything, by the matrix itself. @return false, and nothing is
-  /// changed, where one then would, or it is singular
+  /// Where all contacts are open, by the matrix itself. @return false, and nothing is changed,
+  /// where one then would not be, or it is singular
   bool correct_freely(const EquilibriumProblem &problem, const ContactState &committed,
                       Vector &change, ContactResponse &response);
 
