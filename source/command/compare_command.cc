@@ -32,8 +32,9 @@ struct QuantityOfRun {
 struct Run {
   std::string folder, status;
   std::map<std::string, QuantityOfRun> quantities; ///< by name
-  std::map<std::string, double> units;  ///< how many of SI one of the tables' is, by that of SI
-  std::map<std::string, bool> verdicts; ///< of the report: whether it passes, by what is checked
+  std::map<std::string, double> units; ///< how many of SI one of the tables' is, by that of SI
+  /// Of the report: what fails, by check; nothing of one that passes.
+  std::map<std::string, std::set<std::string>> failures;
 
   double in_si(const std::string &unit) const {
     const auto found = units.find(unit);
@@ -64,9 +65,10 @@ Run read_run(const std::string &folder) {
       run.units[si] = unit.at("in_si").get<double>();
   if (const auto verdicts = summary.find("verdicts"); verdicts != summary.end())
     for (const nlohmann::json &one : *verdicts) {
-      const std::string step = one.at("step");
-      run.verdicts[one.at("check").get<std::string>() + " of " + one.at("of").get<std::string>() +
-                   (step.empty() ? "" : " in " + step)] = one.at("passes").get<bool>();
+      std::set<std::string> &of_check = run.failures[one.at("check")];
+      const std::string of = one.at("of"), step = one.at("step");
+      if (!one.at("passes").get<bool>())
+        of_check.insert(of + (step.empty() ? "" : " in " + step));
     }
   return run;
 }
@@ -209,21 +211,23 @@ void compare(const Run &first, const Run &second, const Layout &layout) {
     std::cout << "  the same\n";
 }
 
-/// Checks that pass in one of the runs only, or stand in one only.
-void compare_verdicts(const Run &first, const Run &second) {
-  const auto say = [](const bool passes) { return passes ? "passes" : "fails"; };
+/// Checks that only one of the runs makes, and what fails in one only. Of what passes a run names
+/// the nearest to failing alone.
+void compare_checks(const Run &first, const Run &second) {
   std::string text;
-  for (const auto &[what, passes] : first.verdicts) {
-    const auto other = second.verdicts.find(what);
-    if (other == second.verdicts.end())
-      text += "  " + what + " is in the first run only, and " + say(passes) + "\n";
-    else if (other->second != passes)
-      text += "  " + what + ": " + say(passes) + " -> " + say(other->second) + "\n";
-  }
-  for (const auto &[what, passes] : second.verdicts)
-    if (first.verdicts.count(what) == 0)
-      text += "  " + what + " is in the second run only, and " + say(passes) + "\n";
-  if (!first.verdicts.empty() || !second.verdicts.empty())
+  const auto say = [&](const Run &run, const Run &other, const std::string &which) {
+    for (const auto &[check, failing] : run.failures) {
+      const auto found = other.failures.find(check);
+      if (found == other.failures.end())
+        text += "  " + check + " is checked in the " + which + " run only\n";
+      for (const std::string &of : failing)
+        if (found == other.failures.end() || found->second.count(of) == 0)
+          text += "  " + check + " of " + of + " fails in the " + which + " run only\n";
+    }
+  };
+  say(first, second, "first");
+  say(second, first, "second");
+  if (!first.failures.empty() || !second.failures.empty())
     std::cout << "Checks:\n" << (text.empty() ? "  the same\n" : text);
 }
 
@@ -240,9 +244,10 @@ std::map<std::string, std::string> tables_in(const std::string &folder) {
 /// Tables whose numbers are not compared: which are written otherwise.
 void compare_others(const Run &first, const Run &second, const std::vector<Layout> &compared) {
   std::map<std::string, std::string> a = tables_in(first.folder), b = tables_in(second.folder);
-  for (const Layout &layout : compared) {
-    a.erase(layout.file);
-    b.erase(layout.file);
+  for (auto *const tables : {&a, &b}) {
+    for (const Layout &layout : compared)
+      tables->erase(layout.file);
+    tables->erase("convergence.csv"); // with the seconds that each mesh took
   }
   std::set<std::string> names;
   std::vector<std::string> differ;
@@ -309,7 +314,7 @@ int compare_runs(const std::string &first, const std::string &second) {
       std::cout << "  " << quantity.first << " is in the second run only\n";
   if (n_same > 0)
     std::cout << "  " << n_same << " are the same\n";
-  compare_verdicts(a, b);
+  compare_checks(a, b);
   // Not by their increments, of which the runs may have different numbers.
   const std::vector<Layout> layouts = {
       {"Supports",

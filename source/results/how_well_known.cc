@@ -192,7 +192,8 @@ KnownError by_cells(const Scene &scene, const Results &results, const Resolution
   constexpr double right_angle = 1.57079632679489662;
   double error = 0.;
   if (scene.has_bend() && !scene.mesh.arcs) {
-    const double angle = right_angle / scene.mesh.cells_per_bend;
+    const double angle =
+        right_angle / std::ldexp(scene.mesh.cells_per_bend, scene.mesh.refinements);
     error = angle * angle / 12.;
   }
   if (all.unbent > rounding_of_parts * all.largest_displacement)

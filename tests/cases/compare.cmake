@@ -105,7 +105,7 @@ run(${WORK}/modes.prm --output-directory ${WORK}/modes)
 run(${WORK}/modes.prm --output-directory ${WORK}/loaded --set "Material steel/Density = 2000"
   --set "Nozzle n/Allowed = 1 1 1 1 1 1")
 run(compare ${WORK}/modes ${WORK}/loaded)
-foreach(part "allowable loads of n[^\n]*: passes -> fails" "Modes:\n  frequency: by " "nozzles.csv[^\n]* differ")
+foreach(part "allowable loads of n[^\n]* fails in the second run only" "Modes:\n  frequency: by " "nozzles.csv[^\n]* differ")
   if(NOT text MATCHES "${part}")
     message(SEND_ERROR "'${part}' is not in the comparison:\n${text}")
   endif()

@@ -124,6 +124,7 @@ inline std::streambuf *standard_output =
     std::cout.copyfmt(std::ios(nullptr));
     std::cerr.copyfmt(std::ios(nullptr));
     std::cerr << std::unitbuf;
+    std::cerr.tie(&std::cout);
     std::exit(linked(words.size(), arguments.data()));
   }
   execv(arguments[0], arguments.data());

@@ -106,18 +106,19 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
                    : solve(*make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
                                                     symmetric, parts.get()));
   result.no_equilibrium = false; // of this pose it is no proof
-  if (result.converged && all_are_open(response) && !are_equal(symmetric, problem.matrix) &&
-      correct_freely(problem, committed, change, response))
+  if (result.converged && all_are_open(response) && !are_equal(symmetric, problem.matrix)) {
+    correct_freely(problem, committed, change, response);
     ++result.factorizations;
+  }
   return result;
 }
 
-bool LinearizedSolver::correct_freely(const EquilibriumProblem &problem,
+void LinearizedSolver::correct_freely(const EquilibriumProblem &problem,
                                       const ContactState &committed, Vector &change,
                                       ContactResponse &response) {
   Vector freely;
   if (!solve_without_contacts(problem.matrix, problem.right_hand_side, freely))
-    return false;
+    return;
   ContactResponse there;
   Residual residual(problem, model.contacts, model.space,
                     [&](const Vector &dofs, const LawTangent wanted, ContactResponse &r) {
@@ -125,10 +126,9 @@ bool LinearizedSolver::correct_freely(const EquilibriumProblem &problem,
                     });
   residual(freely, LawTangent::consistent, there);
   if (there.failed || !all_are_open(there))
-    return false;
+    return;
   change = freely;
   response = there;
-  return true;
 }
 
 EquilibriumResult LinearizedSolver::solve_led_freely(const SparseMatrix &matrix,

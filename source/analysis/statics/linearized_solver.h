@@ -20,7 +20,7 @@ SparseMatrix symmetric_part(const SparseMatrix &matrix);
  * Solves for the change x of a line whose stiffness is linearized at a pose: matrix x + forces of
  * the contacts at the pose's displacements plus x = right hand side. Contacts by the method of
  * Solver/Method, which then takes the symmetric part of the matrix; without contacts, and where all
- * are open, by the matrix itself.
+ * are open and nothing leads, by the matrix itself.
  */
 class LinearizedSolver {
 public:
@@ -79,9 +79,9 @@ private:
   EquilibriumResult solve_led_freely(const SparseMatrix &matrix, const Vector &right_hand_side,
                                      Lead &lead, Vector &change);
 
-  /// Where all contacts are open, by the matrix itself. @return false, and nothing is changed,
-  /// where one then would not be, or it is singular
-  bool correct_freely(const EquilibriumProblem &problem, const ContactState &committed,
+  /// Where all contacts are open, by the matrix itself; nothing is changed where one then would not
+  /// be, or it is singular.
+  void correct_freely(const EquilibriumProblem &problem, const ContactState &committed,
                       Vector &change, ContactResponse &response);
 
   /// For a matrix, with all that it has factored and remembers.

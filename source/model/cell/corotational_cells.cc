@@ -57,10 +57,16 @@ Vector7 energy_correction(const CorotationalBeam &beam, const Vector7 &moved, co
   return direction * (missed.dot(s) * size / (size * size + smallest * smallest));
 }
 
+/// Whether an end has turned so far against its cell that a way beyond half a turn may be behind
+/// it.
+bool turns_much(const Vector7 &at) {
+  return std::max(at.segment<3>(1).norm(), at.segment<3>(4).norm()) > 1.;
+}
+
 /**
  * Whether an end that a joint or the pipe itself holds with some stiffness turns against its cell
- * by nearly half a turn, or in one step by so much that it may have gone beyond: there its rotation
- * vector is that of the way round the other side, and what holds it would push on.
+ * by nearly half a turn, or in one increment by so much that it may have gone beyond: there its
+ * rotation vector is that of the way round the other side, and what holds it would push on.
  */
 bool is_wound(const CorotationalBeam &beam, const Vector7 &at, const Vector7 &change,
               const double bending) {
@@ -274,7 +280,10 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
     s += viscous * (beam.stiffness() * deformed);
   const double length = (length_before + after.length) / 2.;
   Vector12 change = Vector12::Zero();
-  if (is_wound(beam, after.d, deformed, cell.bending))
+  const Pose *const began = is_step ? &from : step.began;
+  if (turns_much(after.d) && began != nullptr &&
+      is_wound(beam, after.d, after.d - (is_step ? d_before : beam.deform(ends(cell, *began)).d),
+               cell.bending))
     answer.failure = "a joint or the end of a cell turns by nearly half a turn, beyond which its "
                      "moment is not known";
   if (is_step) {

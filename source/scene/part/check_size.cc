@@ -63,7 +63,6 @@ void check_size(ParameterReader &in, const Scene &scene) {
   double n_cells = 0., n_supports = 0.;
   for (const Pipe &pipe : scene.pipes)
     n_cells += cells_of(pipe, scene.mesh) + cells_of_bed(pipe, scene);
-  n_cells = std::ldexp(n_cells, scene.mesh.refinements);
   for (const FrictionSupport &support : scene.supports)
     n_supports += number_at(support.placement, scene);
   for (const Restraint &restraint : scene.restraints)
@@ -79,7 +78,7 @@ void check_size(ParameterReader &in, const Scene &scene) {
           advice + "; or, if it is meant, " + heading + "/" + entry + " = " +
               std::to_string(static_cast<unsigned long>(1.1 * std::min(n, 1e15))));
   };
-  const double n = n_cells + n_supports;
+  const double n = std::ldexp(n_cells + n_supports, scene.mesh.refinements); // which cut cells, too
   check("Mesh", "Most cells", "cells and supports", n,
         "a scene of some " + to_text(std::ceil(n)) + " cells and supports",
         "a longer Cell length, fewer Cells per bend or Refinements, or supports less often");
