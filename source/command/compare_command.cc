@@ -231,24 +231,25 @@ void compare_checks(const Run &first, const Run &second) {
     std::cout << "Checks:\n" << (text.empty() ? "  the same\n" : text);
 }
 
-std::map<std::string, std::string> tables_in(const std::string &folder) {
+/// The texts of a run's other tables than these, by name.
+std::map<std::string, std::string> tables_in(const std::string &folder,
+                                             const std::set<std::string> &without) {
   std::map<std::string, std::string> texts;
   for (const auto &entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".csv") {
+    if (const std::string name = entry.path().filename().string();
+        entry.path().extension() == ".csv" && without.count(name) == 0) {
       std::ifstream in(entry.path());
-      texts[entry.path().filename().string()] = {std::istreambuf_iterator<char>(in), {}};
+      texts[name] = {std::istreambuf_iterator<char>(in), {}};
     }
   return texts;
 }
 
 /// Tables whose numbers are not compared: which are written otherwise.
 void compare_others(const Run &first, const Run &second, const std::vector<Layout> &compared) {
-  std::map<std::string, std::string> a = tables_in(first.folder), b = tables_in(second.folder);
-  for (auto *const tables : {&a, &b}) {
-    for (const Layout &layout : compared)
-      tables->erase(layout.file);
-    tables->erase("convergence.csv"); // with the seconds that each mesh took
-  }
+  std::set<std::string> without = {"convergence.csv"}; // with the seconds that each mesh took
+  for (const Layout &layout : compared)
+    without.insert(layout.file);
+  const auto a = tables_in(first.folder, without), b = tables_in(second.folder, without);
   std::set<std::string> names;
   std::vector<std::string> differ;
   for (const auto *const tables : {&a, &b})

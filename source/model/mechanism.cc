@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/mechanism.h"
-#include "base/algebra/dense_algebra.h"
 
+#include "base/algebra/dense_algebra.h"
 #include "base/joined.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
 
 #include "base/user_error.h"
 #include "model/line_model.h"
-
 
 #include <algorithm>
 #include <cmath>

@@ -5,11 +5,10 @@
 
 #include "command/check_command.h"
 #include "command/contact_command.h"
+#include "command/program/program.h"
 #include "command/run_case.h"
 
 #include "base/interruption.h"
-#include "base/user_error.h"
-#include "results/file/output_file.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -36,10 +35,9 @@ void limit(const int what, const rlim_t value) {
   setrlimit(static_cast<__rlimit_resource>(what), &limits);
 }
 
-/// As main().
 int command(const std::vector<std::string> &words, const bool interrupted) {
   using namespace frictionbeam;
-  try {
+  return with_errors_told([&]() {
     if (words[0] == "contact")
       return solve_contact_file({words[1]});
     RunOptions options;
@@ -55,18 +53,7 @@ int command(const std::vector<std::string> &words, const bool interrupted) {
     if (interrupted)
       raise(SIGTERM);
     return words[0] == "check" ? check_case_file(options) : run_case(options);
-  } catch (const UserError &error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  } catch (const OutputError &error) {
-    std::cerr << error.what() << '\n';
-    return 4;
-  } catch (const Interrupted &interrupted) {
-    return 128 + interrupted.signal;
-  } catch (const std::exception &error) {
-    std::cerr << error.what() << '\n';
-    return 3;
-  }
+  });
 }
 
 [[noreturn]] void become(const Trial &trial) {

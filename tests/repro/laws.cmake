@@ -31,6 +31,10 @@ frictionbeam_add_law(test_law_springy ${CMAKE_CURRENT_SOURCE_DIR}/laws/springy_s
 target_include_directories(test_law_springy PRIVATE ${PROJECT_SOURCE_DIR}/include)
 set_target_properties(test_law_springy PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
 set(LAW ${CMAKE_CURRENT_BINARY_DIR}/test_law_springy.so)
-configure_file(${CMAKE_CURRENT_SOURCE_DIR}/laws/section.prm ${CMAKE_CURRENT_BINARY_DIR}/section.prm @ONLY)
+foreach(scene section weight)
+  configure_file(${CMAKE_CURRENT_SOURCE_DIR}/laws/${scene}.prm ${CMAKE_CURRENT_BINARY_DIR}/${scene}.prm @ONLY)
+endforeach()
 add_test(NAME "repro/law of sections" COMMAND check_case $<TARGET_FILE:frictionbeam>
   ${CMAKE_CURRENT_BINARY_DIR}/section.prm --errors 1e-9)
+add_test(NAME "repro/law of sections under weight" COMMAND check_case $<TARGET_FILE:frictionbeam>
+  ${CMAKE_CURRENT_BINARY_DIR}/weight.prm --errors 1e-6)

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/algebra/eigenpairs.h"
-#include "base/algebra/dense_algebra.h"
 
+#include "base/algebra/dense_algebra.h"
 #include "base/user_error.h"
 
 #include <deal.II/lac/arpack_solver.h>
 #include <deal.II/lac/vector.h>
-
 
 #include <algorithm>
 #include <random>

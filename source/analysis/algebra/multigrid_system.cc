@@ -6,7 +6,6 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 
-
 namespace frictionbeam {
 
 using namespace dealii;

@@ -5,7 +5,6 @@
 
 #include "model/body/rigid_motions.h"
 
-
 #include <algorithm>
 
 namespace frictionbeam {

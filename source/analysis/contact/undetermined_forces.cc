@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/undetermined_forces.h"
-#include "base/algebra/dense_algebra.h"
 
+#include "base/algebra/dense_algebra.h"
 #include "base/joined.h"
 #include "base/numbers.h"
-
 
 #include <algorithm>
 #include <cmath>

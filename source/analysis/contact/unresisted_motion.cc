@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/unresisted_motion.h"
-#include "base/algebra/dense_algebra.h"
 
+#include "base/algebra/dense_algebra.h"
 
 #include <algorithm>
 #include <limits>

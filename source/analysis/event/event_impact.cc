@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/event/event_integrator.h"
+
 #include "base/algebra/dense_algebra.h"
 
 #include <frictionbeam/contact/local_solver.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/event/taylor_motion.h"
-#include "base/algebra/dense_algebra.h"
 
 #include <Eigen/LU>
 

@@ -5,7 +5,6 @@
 #include "analysis/event/load_polynomials.h"
 #include "base/algebra/dense_algebra.h"
 
-
 #include <algorithm>
 
 namespace frictionbeam {

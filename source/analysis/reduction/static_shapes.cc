@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/reduction/static_shapes.h"
-#include "base/algebra/dense_algebra.h"
 
+#include "base/algebra/dense_algebra.h"
 
 #include <cmath>
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/sequence/load_sequence.h"
-#include "base/algebra/dense_algebra.h"
 
 #include "analysis/increment/contact_watch.h"
 #include "analysis/increment/time_step.h"
 #include "analysis/march/integrator_library.h"
 #include "analysis/time/moreau_jean.h"
+#include "base/algebra/dense_algebra.h"
 #include "base/user_error.h"
 #include "scene/in_units.h"
-
 
 #include <algorithm>
 #include <map>

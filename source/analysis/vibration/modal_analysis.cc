@@ -2,12 +2,11 @@
 #include "analysis/algebra/eigenpairs.h"
 #include "analysis/algebra/rigid_holds.h"
 #include "analysis/contact/opposed_contacts.h"
-#include "base/algebra/dense_algebra.h"
 
 #include "analysis/vibration/modal_analysis.h"
+#include "base/algebra/dense_algebra.h"
 #include "base/numbers.h"
 #include "base/user_error.h"
-
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/algebra/dense_algebra.h"
+
 #include <Eigen/Eigenvalues>
 
 namespace frictionbeam {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef FRICTIONBEAM_SOURCE_BASE_ALGEBRA_DENSE_ALGEBRA_H
-#define FRICTIONBEAM_SOURCE_BASE_ALGEBRA_DENSE_ALGEBRA_H
+#pragma once
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -45,5 +44,3 @@ SymmetricEigen symmetric_eigen(const Eigen::MatrixXd &A, const Eigen::MatrixXd &
 Eigen::VectorXi most_independent_columns(const Eigen::MatrixXd &A);
 
 } // namespace frictionbeam
-
-#endif

@@ -115,12 +115,9 @@ void check_standard_output() {
 
 } // namespace
 
-int run_program(int argc, char **argv) {
-  signal(SIGXFSZ, SIG_IGN); // a write beyond the limit fails with a reason then
+int with_errors_told(const std::function<int()> &command) {
   try {
-    const int status = run(argc, argv);
-    check_standard_output();
-    return status;
+    return command();
   } catch (const UserError &error) {
     std::cerr << error.what() << '\n';
     return 1;
@@ -134,6 +131,15 @@ int run_program(int argc, char **argv) {
     std::cerr << error.what() << '\n';
     return 3;
   }
+}
+
+int run_program(int argc, char **argv) {
+  signal(SIGXFSZ, SIG_IGN); // a write beyond the limit fails with a reason then
+  return with_errors_told([&]() {
+    const int status = run(argc, argv);
+    check_standard_output();
+    return status;
+  });
 }
 
 } // namespace frictionbeam

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/solid/held_points.h"
-#include "base/algebra/dense_algebra.h"
 
+#include "base/algebra/dense_algebra.h"
 
 namespace frictionbeam {
 

@@ -57,21 +57,22 @@ Vector7 energy_correction(const CorotationalBeam &beam, const Vector7 &moved, co
   return direction * (missed.dot(s) * size / (size * size + smallest * smallest));
 }
 
-/// Whether an end has turned so far against its cell that a way beyond half a turn may be behind
-/// it.
-bool turns_much(const Vector7 &at) {
-  return std::max(at.segment<3>(1).norm(), at.segment<3>(4).norm()) > 1.;
-}
-
 /**
  * Whether an end that a joint or the pipe itself holds with some stiffness turns against its cell
  * by nearly half a turn, or in one increment by so much that it may have gone beyond: there its
  * rotation vector is that of the way round the other side, and what holds it would push on.
+ * @param begin gives the deformations with which the increment began, asked for where they matter
  */
-bool is_wound(const CorotationalBeam &beam, const Vector7 &at, const Vector7 &change,
+template <typename Begin>
+bool is_wound(const CorotationalBeam &beam, const Vector7 &at, const Begin &begin,
               const double bending) {
   constexpr double nearly_half = 3., much = 1.5; // [rad]
+  constexpr double least =
+      1.; // [rad]: no step of at most `much` ends below that beyond half a turn
   constexpr double unfelt = 1e-5; // stiffness of a joint, of that of the pipe beside it
+  if (std::max(at.segment<3>(1).norm(), at.segment<3>(4).norm()) <= least)
+    return false;
+  const Vector7 change = at - begin();
   for (const int first : {1, 4}) {
     const Vector3d turn = at.segment<3>(first), by = change.segment<3>(first),
                    axis = turn.normalized();
@@ -260,6 +261,9 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
     d_before = at_start.head<7>();
     length_before = at_start[7];
   }
+  const auto begin = [&]() -> Vector7 {
+    return step.began ? beam.deform(ends(cell, *step.began)).d : d_before;
+  };
   Vector7 free;
   answer.dofs = cell.dofs;
   answer.loads = on_line(cell, mean.axes, factors, free);
@@ -269,8 +273,7 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
   answer.free_work = free.dot(deformed);
   if (sections.has(index)) {
     PipeSections::Answer inelastic;
-    const Vector7 began = step.began ? beam.deform(ends(cell, *step.began)).d : d_before;
-    integrate_sections(index, beam.motions_of(began), beam.motions_of(after.d), step, factors,
+    integrate_sections(index, beam.motions_of(begin()), beam.motions_of(after.d), step, factors,
                        answer, inelastic, after.axes * beam.axes_at_rest().transpose());
     s = beam.on_deformations(is_step ? Vector12((inelastic.before + inelastic.after) / 2.)
                                      : inelastic.after);
@@ -280,10 +283,7 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
     s += viscous * (beam.stiffness() * deformed);
   const double length = (length_before + after.length) / 2.;
   Vector12 change = Vector12::Zero();
-  const Pose *const began = is_step ? &from : step.began;
-  if (turns_much(after.d) && began != nullptr &&
-      is_wound(beam, after.d, after.d - (is_step ? d_before : beam.deform(ends(cell, *began)).d),
-               cell.bending))
+  if (is_wound(beam, after.d, begin, cell.bending))
     answer.failure = "a joint or the end of a cell turns by nearly half a turn, beyond which its "
                      "moment is not known";
   if (is_step) {

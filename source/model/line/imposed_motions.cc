@@ -4,7 +4,6 @@
 #include "base/user_error.h"
 #include "model/line/linear_part.h"
 
-
 #include <algorithm>
 #include <cmath>
 

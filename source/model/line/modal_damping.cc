@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/line/modal_damping.h"
-#include "base/algebra/dense_algebra.h"
 
+#include "base/algebra/dense_algebra.h"
 #include "base/user_error.h"
 
 #include <cmath>

@@ -3,7 +3,6 @@
 #include "base/algebra/dense_algebra.h"
 #include "model/unknowns/reduced_space.h"
 
-
 #include <map>
 
 namespace frictionbeam {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/doubt/buckling.h"
-#include "base/algebra/dense_algebra.h"
 
 #include "analysis/contact/opposed_contacts.h"
+#include "base/algebra/dense_algebra.h"
 
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>

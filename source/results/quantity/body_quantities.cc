@@ -12,7 +12,6 @@
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/fe/mapping_q1.h>
 
-
 #include <algorithm>
 #include <cmath>
 
